@@ -1,0 +1,2 @@
+//! The `zhuyi` command.
+fn main() {}

@@ -1,0 +1,88 @@
+//! Cameras as geometry: where each looks, and how often. What it makes of what it sees is perception's business.
+
+use crate::geometry::wrap_angle;
+use crate::{Body, Point, Pose};
+
+/// A camera of the rig: its place in the rig's list, from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct CameraId(pub u8);
+
+impl CameraId {
+    /// Its place in lists with one entry per camera.
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// Where a camera is mounted on the ego and what it covers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Camera {
+    /// Its name, unique in the rig.
+    pub name: String,
+    /// [m] mount ahead of the centre of the ego's box.
+    pub forward: f64,
+    /// [m] mount to the left of the centre of the ego's box.
+    pub left: f64,
+    /// [rad] where it looks, counter-clockwise from straight ahead.
+    pub yaw: f64,
+    /// [rad] full horizontal field of view, at most 2π.
+    pub fov: f64,
+    /// [m] how far it sees.
+    pub range: f64,
+    /// Whether its demand is analysed (reading R19: `front_120`, `left`, `right`).
+    pub analysed: bool,
+}
+
+impl Camera {
+    /// The camera's own pose in the world, given the ego's.
+    pub fn pose(&self, ego: Pose) -> Pose {
+        let at = ego.offset(self.forward, self.left);
+        Pose::new(at.x, at.y, ego.heading + self.yaw)
+    }
+
+    /// Whether `point` lies in its field of view and range, for a camera at `pose` (from [`Camera::pose`]).
+    pub fn covers(&self, pose: Pose, point: Point) -> bool {
+        let (dx, dy) = (point.x - pose.x, point.y - pose.y);
+        dx * dx + dy * dy <= self.range * self.range
+            && wrap_angle(dy.atan2(dx) - pose.heading).abs() <= self.fov / 2.0
+    }
+
+    /// Whether the centre or one of the four corners of `body` lies in the field of view and range (reading R14).
+    pub fn covers_body(&self, ego: Pose, body: &Body) -> bool {
+        let pose = self.pose(ego);
+        self.covers(pose, body.pose.point())
+            || body
+                .footprint
+                .corners(body.pose)
+                .into_iter()
+                .any(|corner| self.covers(pose, corner))
+    }
+}
+
+/// Frames per second of each camera, in the order of the rig; each is positive and finite.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrameRates(Vec<f64>);
+
+impl FrameRates {
+    /// One rate per camera, in the order of the rig.
+    ///
+    /// # Panics
+    /// If a rate is not positive and finite: callers check what users typed.
+    pub fn new(hz: Vec<f64>) -> Self {
+        assert!(
+            hz.iter().all(|f| f.is_finite() && *f > 0.0),
+            "frame rates must be positive, got {hz:?}"
+        );
+        Self(hz)
+    }
+
+    /// [Hz] the rate of a camera.
+    pub fn of(&self, camera: CameraId) -> f64 {
+        self.0[camera.index()]
+    }
+
+    /// [Hz] all of them, in the order of the rig.
+    pub fn all(&self) -> &[f64] {
+        &self.0
+    }
+}

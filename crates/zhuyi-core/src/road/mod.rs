@@ -1,0 +1,228 @@
+//! The road: a reference line of lines, arcs and clothoids with parallel lanes.
+//!
+//! ```text
+//!  x(s, d) = p(s) + d n(s)      p' = t = (cos θ, sin θ)      n = (-sin θ, cos θ)      θ' = κ
+//! ```
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | s, d | [`Frenet`] place: arc length along the reference line, offset to the left of it | m |
+//! | p, t, n | point of the reference line, unit vectors along and to the left of it | m, -, - |
+//! | θ, κ | heading and curvature of the reference line | rad, 1/m |
+//!
+//! The reference line is the middle of the road. Position and heading are continuous over the segments, curvature is
+//! as the segments say. Before its start and behind its end the road goes straight on. Left out: elevation,
+//! superelevation, lanes that begin, end or change their width.
+
+mod clothoid;
+mod piece;
+mod segment;
+#[cfg(test)]
+mod tests;
+
+use crate::{Point, Pose};
+use piece::{Piece, Shape};
+pub use segment::{RoadError, Segment};
+
+/// A place on the road.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Frenet {
+    /// [m] arc length along the reference line.
+    pub s: f64,
+    /// [m] offset from the reference line, positive to the left.
+    pub d: f64,
+}
+
+/// A lane, counted from 1 at the right edge of the road.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Lane(pub u8);
+
+/// A multi-lane road.
+///
+/// ```
+/// use zhuyi_core::{Frenet, Lane, Point, Pose, Road, Segment};
+/// use std::f64::consts::FRAC_PI_2;
+/// // 100 m east, then a quarter circle of 50 m radius to the left; two lanes of 3.5 m.
+/// let turn = Segment::Arc { length: 50.0 * FRAC_PI_2, curvature: 1.0 / 50.0 };
+/// let road = Road::new(Pose::default(), &[Segment::Line { length: 100.0 }, turn], 2, 3.5)?;
+/// let left_lane = Frenet { s: road.length(), d: road.lane_center(Lane(2)) };
+/// let end = road.world_from_road(left_lane);
+/// assert!((end.x - 148.25).abs() < 1e-9 && (end.y - 50.0).abs() < 1e-9);
+/// assert!((end.heading - FRAC_PI_2).abs() < 1e-12);
+/// let back = road.road_from_world(Point::new(148.25, 50.0));
+/// assert!((back.s - left_lane.s).abs() < 1e-9 && (back.d - 1.75).abs() < 1e-9);
+/// # Ok::<(), zhuyi_core::RoadError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Road {
+    lanes: u8,
+    lane_width: f64,
+    length: f64,
+    /// Sorted by start; together they cover all s, the first and the last without end.
+    pieces: Vec<Piece>,
+}
+
+impl Road {
+    /// Most lanes of a road.
+    pub const MAX_LANES: u8 = 12;
+    /// [m] widest lane.
+    pub const MAX_LANE_WIDTH: f64 = 10.0;
+    /// [m] longest segment: up to there `f64` resolves 1e-10 m.
+    pub const MAX_SEGMENT_LENGTH: f64 = 1e6;
+
+    /// A road whose reference line, the middle of the road, starts at `start`.
+    ///
+    /// # Errors
+    /// The first of [`RoadError`]'s rules that does not hold.
+    pub fn new(
+        start: Pose,
+        segments: &[Segment],
+        lanes: u8,
+        lane_width: f64,
+    ) -> Result<Self, RoadError> {
+        segment::check_cross_section(lanes, lane_width)?;
+        if segments.is_empty() {
+            return Err(RoadError::NoSegments);
+        }
+        if !(start.x.is_finite() && start.y.is_finite() && start.heading.is_finite()) {
+            return Err(RoadError::Start { got: start });
+        }
+        let sharpest = 2.0 / (f64::from(lanes) * lane_width);
+        for (index, segment) in segments.iter().enumerate() {
+            segment::check_segment(index, *segment, sharpest)?;
+        }
+        let length = segments.iter().map(|segment| segment.parts().0).sum();
+        Ok(Self {
+            lanes,
+            lane_width,
+            length,
+            pieces: lay_out(start, segments),
+        })
+    }
+
+    /// A straight road along the x axis, from the origin.
+    ///
+    /// ```
+    /// use zhuyi_core::{Frenet, Pose, Road};
+    /// let road = Road::straight(1_000.0, 3, 3.5)?;
+    /// assert_eq!(road.world_from_road(Frenet { s: 20.0, d: -3.5 }), Pose::new(20.0, -3.5, 0.0));
+    /// # Ok::<(), zhuyi_core::RoadError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Road::new`].
+    pub fn straight(length: f64, lanes: u8, lane_width: f64) -> Result<Self, RoadError> {
+        Self::new(
+            Pose::default(),
+            &[Segment::Line { length }],
+            lanes,
+            lane_width,
+        )
+    }
+
+    /// Number of lanes.
+    pub fn lanes(&self) -> u8 {
+        self.lanes
+    }
+
+    /// [m] width of a lane.
+    pub fn lane_width(&self) -> f64 {
+        self.lane_width
+    }
+
+    /// [m] offset of a lane's centre.
+    ///
+    /// ```
+    /// use zhuyi_core::{Lane, Road};
+    /// let road = Road::straight(1_000.0, 3, 3.5)?;
+    /// assert_eq!([1, 2, 3].map(|n| road.lane_center(Lane(n))), [-3.5, 0.0, 3.5]);
+    /// # Ok::<(), zhuyi_core::RoadError>(())
+    /// ```
+    pub fn lane_center(&self, lane: Lane) -> f64 {
+        (f64::from(lane.0) - f64::midpoint(f64::from(self.lanes), 1.0)) * self.lane_width
+    }
+
+    /// The lane at an offset, none beside the road. A line between two lanes belongs to the left one.
+    ///
+    /// ```
+    /// use zhuyi_core::{Lane, Road};
+    /// let road = Road::straight(1_000.0, 3, 3.5)?;
+    /// assert_eq!(road.lane_at(-1.8), Some(Lane(1)));
+    /// assert_eq!(road.lane_at(5.3), None);
+    /// # Ok::<(), zhuyi_core::RoadError>(())
+    /// ```
+    pub fn lane_at(&self, d: f64) -> Option<Lane> {
+        let index = (d / self.lane_width + f64::from(self.lanes) / 2.0).floor();
+        (index >= 0.0 && index < f64::from(self.lanes)).then_some(Lane(index as u8 + 1))
+    }
+
+    /// [m] length of the reference line.
+    pub fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// [1/m] curvature of the reference line, positive to the left; where two segments meet, that of the second.
+    pub fn curvature(&self, s: f64) -> f64 {
+        let piece = self.piece(s);
+        piece.curvature(s - piece.start)
+    }
+
+    /// [rad] heading of the reference line; it goes on counting over full turns.
+    pub fn heading(&self, s: f64) -> f64 {
+        let piece = self.piece(s);
+        piece.heading(s - piece.start)
+    }
+
+    /// World position of a place, with the heading of the road there.
+    pub fn world_from_road(&self, place: Frenet) -> Pose {
+        let piece = self.piece(place.s);
+        piece.pose(place.s - piece.start, place.d)
+    }
+
+    /// The place whose point of the reference line is nearest to `point`; of two equally near ones the first.
+    ///
+    /// It undoes [`Road::world_from_road`] wherever no other part of the road is nearer, as on every road that keeps
+    /// its own width away from itself.
+    pub fn road_from_world(&self, point: Point) -> Frenet {
+        let (first, rest) = (&self.pieces[0], &self.pieces[1..]);
+        let mut nearest = first.nearest(point);
+        let mut start = first.start;
+        for piece in rest {
+            let foot = piece.nearest(point);
+            if foot.distance2() < nearest.distance2() {
+                nearest = foot;
+                start = piece.start;
+            }
+        }
+        Frenet {
+            s: start + nearest.u,
+            d: nearest.left,
+        }
+    }
+
+    /// The piece that holds `s`.
+    fn piece(&self, s: f64) -> &Piece {
+        let behind = self.pieces.partition_point(|piece| piece.start <= s);
+        &self.pieces[behind.saturating_sub(1)]
+    }
+}
+
+/// Segments end to end between two lines that go on for ever; lines that follow each other are one piece.
+fn lay_out(start: Pose, segments: &[Segment]) -> Vec<Piece> {
+    let mut pieces = vec![Piece::new(0.0, start, Shape::Line, f64::NEG_INFINITY, 0.0)];
+    let mut s = 0.0;
+    let parts = segments.iter().map(|segment| segment.parts());
+    for (length, start, end) in parts.chain([(f64::INFINITY, 0.0, 0.0)]) {
+        let newest = pieces.len() - 1;
+        let last = &mut pieces[newest];
+        let shape = Shape::new(length, start, end);
+        if last.is_line() && shape == Shape::Line {
+            last.extend(length);
+        } else {
+            let pose = last.pose(s - last.start, 0.0);
+            pieces.push(Piece::new(s, pose, shape, 0.0, length));
+        }
+        s += length;
+    }
+    pieces
+}

@@ -1,0 +1,278 @@
+//! From actors to cameras (Eq. 5, reading R14).
+//!
+//! ```text
+//!  l_camera = min over the actors it covers of l_actor,   FPR = 1 / l_camera
+//! ```
+//!
+//! An actor counts for every camera that has its centre or a corner in view at t_0, with the latency at which that camera runs now as
+//! l_0. A camera that covers nobody may take the largest latency. An actor alongside is helped by no rate: it is counted and
+//! asks for nothing. Left out: occlusion; [`Estimator::demands_where`] takes any other rule of who counts.
+
+use crate::estimate::State;
+use crate::grid::fpr;
+use crate::{Estimate, Estimator};
+use zhuyi_core::{ActorId, Body, Camera, Pose};
+
+/// A camera and the latency at which it runs now.
+#[derive(Clone, Copy, Debug)]
+pub struct Watch<'a> {
+    /// The camera.
+    pub camera: &'a Camera,
+    /// [s] l_0.
+    pub current_latency: f64,
+}
+
+/// What the actors ask of one camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Demand {
+    /// [s] tolerable latency of the camera; the smallest of the grid where even that is too slow.
+    pub latency: f64,
+    /// [Hz] the frame processing rate asked for.
+    pub fpr: f64,
+    /// The actor that asks for it: the first of the most demanding; none where no actor asks for anything.
+    pub actor: Option<ActorId>,
+    /// Actors that ask for more than the grid offers.
+    pub beyond_grid: u32,
+    /// Actors for which even braking at once is too late.
+    pub unavoidable: u32,
+    /// Actors alongside.
+    pub alongside: u32,
+}
+
+impl Estimator {
+    /// The demand on each camera of a rig, in its order. `estimate` answers for an actor at a current latency l_0; it is
+    /// asked once per actor and different l_0, and not at all for actors out of everyone's sight.
+    ///
+    /// A front camera covers the car ahead, which tolerates 0.25 s: 4 FPR. The rear one covers nobody: 1 FPR.
+    /// ```
+    /// use zhuyi_core::{ActorId, Body, Camera, Footprint, Frenet, Pose};
+    /// use zhuyi_estimator::{Estimate, Estimator, Params, State, Watch};
+    /// # use std::f64::consts::PI;
+    /// let camera = |name: &str, yaw: f64| Camera {
+    ///     name: name.into(), forward: 0.0, left: 0.0, yaw, fov: 2.0, range: 100.0, analysed: true,
+    /// };
+    /// let (front, rear) = (camera("front", 0.0), camera("rear", PI));
+    /// let rig = [&front, &rear].map(|camera| Watch { camera, current_latency: 1.0 / 30.0 });
+    /// let car = Body {
+    ///     footprint: Footprint { length: 4.0, width: 2.0 }, road: Frenet { s: 30.0, d: 0.0 },
+    ///     pose: Pose::new(30.0, 0.0, 0.0), speed: 0.0, accel: 0.0, s_rate: 0.0, d_rate: 0.0,
+    /// };
+    /// let answer =
+    ///     Estimate { state: State::Tolerable, latency: Some(0.25), t_n: None, binding: None, extrapolated: 0.0 };
+    ///
+    /// let estimator = Estimator::new(Params::default());
+    /// let ego = Pose::new(0.0, 0.0, 0.0);
+    /// let demands = estimator.demands(&rig, ego, [(ActorId(7), &car)], |_actor, _current_latency| answer);
+    /// assert_eq!((demands[0].fpr, demands[0].actor), (4.0, Some(ActorId(7))));
+    /// assert_eq!((demands[1].fpr, demands[1].actor), (1.0, None));
+    /// ```
+    pub fn demands<'a>(
+        &self,
+        rig: &[Watch<'_>],
+        ego: Pose,
+        actors: impl IntoIterator<Item = (ActorId, &'a Body)>,
+        estimate: impl FnMut(ActorId, f64) -> Estimate,
+    ) -> Vec<Demand> {
+        self.demands_where(
+            rig,
+            actors,
+            |camera, _, body| camera.covers_body(ego, body),
+            estimate,
+        )
+    }
+
+    /// The same, where `counts` says which actors count for which camera.
+    pub fn demands_where<'a>(
+        &self,
+        rig: &[Watch<'_>],
+        actors: impl IntoIterator<Item = (ActorId, &'a Body)>,
+        counts: impl Fn(&Camera, ActorId, &Body) -> bool,
+        mut estimate: impl FnMut(ActorId, f64) -> Estimate,
+    ) -> Vec<Demand> {
+        let mut demands = vec![self.quiet(); rig.len()];
+        let mut answers: Vec<(f64, Estimate)> = Vec::with_capacity(rig.len());
+        for (actor, body) in actors {
+            answers.clear();
+            for (watch, demand) in rig.iter().zip(&mut demands) {
+                if !counts(watch.camera, actor, body) {
+                    continue;
+                }
+                let known = answers
+                    .iter()
+                    .find(|(latency, _)| *latency == watch.current_latency);
+                let answer = match known {
+                    Some((_, answer)) => *answer,
+                    None => estimate(actor, watch.current_latency),
+                };
+                if known.is_none() {
+                    answers.push((watch.current_latency, answer));
+                }
+                self.add(demand, actor, &answer);
+            }
+        }
+        demands
+    }
+
+    fn quiet(&self) -> Demand {
+        let latency = self.largest();
+        Demand {
+            latency,
+            fpr: fpr(latency),
+            actor: None,
+            beyond_grid: 0,
+            unavoidable: 0,
+            alongside: 0,
+        }
+    }
+
+    fn add(&self, demand: &mut Demand, actor: ActorId, estimate: &Estimate) {
+        match estimate.state {
+            State::None | State::Tolerable => {}
+            State::BeyondGrid => demand.beyond_grid += 1,
+            State::Unavoidable => demand.unavoidable += 1,
+            State::Alongside => demand.alongside += 1,
+        }
+        if matches!(estimate.state, State::None | State::Alongside) {
+            return;
+        }
+        let latency = estimate.latency.unwrap_or_else(|| self.smallest());
+        if demand.actor.is_none() || latency < demand.latency {
+            demand.latency = latency;
+            demand.fpr = fpr(latency);
+            demand.actor = Some(actor);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Demand, Watch};
+    use crate::{Estimate, Estimator, Params, State};
+    use std::cell::Cell;
+    use zhuyi_core::{ActorId, Body, Camera, Footprint, Frenet, Pose};
+
+    fn answer(state: State, latency: Option<f64>) -> Estimate {
+        Estimate {
+            state,
+            latency,
+            t_n: None,
+            binding: None,
+            extrapolated: 0.0,
+        }
+    }
+
+    fn body() -> Body {
+        let (road, pose) = (Frenet { s: 20.0, d: 0.0 }, Pose::new(20.0, 0.0, 0.0));
+        let footprint = Footprint {
+            length: 4.0,
+            width: 2.0,
+        };
+        Body {
+            footprint,
+            road,
+            pose,
+            speed: 0.0,
+            accel: 0.0,
+            s_rate: 0.0,
+            d_rate: 0.0,
+        }
+    }
+
+    fn camera(yaw: f64) -> Camera {
+        Camera {
+            name: "front".into(),
+            forward: 0.0,
+            left: 0.0,
+            yaw,
+            fov: 1.0,
+            range: 100.0,
+            analysed: true,
+        }
+    }
+
+    fn of_one_camera(answers: &[Estimate]) -> Demand {
+        let (estimator, front, car) = (Estimator::new(Params::default()), camera(0.0), body());
+        let rig = [Watch {
+            camera: &front,
+            current_latency: 0.1,
+        }];
+        let actors = (0..answers.len()).map(|place| (ActorId(place as u32), &car));
+        estimator.demands(&rig, Pose::default(), actors, |actor, _| {
+            answers[actor.index()]
+        })[0]
+    }
+
+    #[test]
+    fn hand_the_most_demanding_actor_counts() {
+        let quiet = answer(State::None, Some(1.0));
+        let demand = of_one_camera(&[
+            quiet,
+            answer(State::Tolerable, Some(0.5)),
+            answer(State::Tolerable, Some(0.2)),
+        ]);
+        assert_eq!(
+            (demand.latency, demand.fpr, demand.actor),
+            (0.2, 5.0, Some(ActorId(2)))
+        );
+        let demand = of_one_camera(&[quiet]);
+        assert_eq!((demand.latency, demand.fpr, demand.actor), (1.0, 1.0, None));
+    }
+
+    #[test]
+    fn hand_actors_that_no_rate_helps_ask_for_nothing() {
+        let demand = of_one_camera(&[
+            answer(State::Alongside, None),
+            answer(State::Tolerable, Some(0.5)),
+        ]);
+        assert_eq!(
+            (demand.fpr, demand.actor, demand.alongside),
+            (2.0, Some(ActorId(1)), 1)
+        );
+        let demand = of_one_camera(&[
+            answer(State::BeyondGrid, None),
+            answer(State::Unavoidable, None),
+        ]);
+        assert_eq!(
+            (demand.latency, demand.fpr, demand.actor),
+            (0.033, 30.0, Some(ActorId(0)))
+        );
+        assert_eq!(
+            (demand.beyond_grid, demand.unavoidable, demand.alongside),
+            (1, 1, 0)
+        );
+    }
+
+    #[test]
+    fn hand_equal_current_latencies_are_asked_once_and_cameras_that_look_away_never() {
+        let (estimator, front, rear, car) = (
+            Estimator::new(Params::default()),
+            camera(0.0),
+            camera(3.0),
+            body(),
+        );
+        let rig = [(&front, 0.1), (&front, 0.2), (&front, 0.1), (&rear, 0.3)].map(
+            |(camera, current_latency)| Watch {
+                camera,
+                current_latency,
+            },
+        );
+        let asked = Cell::new(0);
+        let demands = estimator.demands(
+            &rig,
+            Pose::default(),
+            [(ActorId(0), &car)],
+            |_, current_latency| {
+                asked.set(asked.get() + 1);
+                answer(State::Tolerable, Some(current_latency))
+            },
+        );
+        assert_eq!(asked.get(), 2);
+        assert_eq!(
+            demands
+                .iter()
+                .map(|demand| demand.latency)
+                .collect::<Vec<_>>(),
+            [0.1, 0.2, 0.1, 1.0]
+        );
+    }
+}

@@ -1,0 +1,218 @@
+//! What the ego does when it reacts: hold its acceleration, then brake until it stands (readings R1 to R3).
+//!
+//! ```text
+//!  t_r = l + max(0, K (l - l_0))                         reaction time
+//!  a_b = max(C3, C4 |a_0|) if a_0 < 0, else C3           braking
+//!
+//!  v_e |‾‾‾‾‾‾‾\                 hold a_0 on [0, t_r], brake by a_b on [t_r, t_s], stand from t_s on
+//!      |        \___
+//!      0      t_r  t_s   t
+//! ```
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | l, l_0 | candidate latency, latency at which the camera runs now | s |
+//! | K | frames that confirm an actor | - |
+//! | a_0 | acceleration at t_0 = 0, signed | m/s2 |
+//! | d(t), v_e(t) | distance covered since t_0, speed | m, m/s |
+//!
+//! Source: paper, "Estimating Tolerable Latency Per Actor"; the paper prints K (l - l_0) without the max, which makes t_r
+//! negative below l_0. Left out: a limit on a_b, jerk and actuator lag. A vehicle never reverses.
+
+/// [s] t_r, from the exposure of the first frame to the braking, at `latency` while the camera now runs at `current_latency`.
+///
+/// l = 0.2 s, l_0 = 0.1 s, K = 5: 0.2 + 5 x 0.1 = 0.7 s. Below l_0 the confirmation adds nothing.
+/// ```
+/// use zhuyi_estimator::ego_motion::reaction_time;
+/// assert!((reaction_time(0.2, 0.1, 5) - 0.7).abs() < 1e-12);
+/// assert_eq!(reaction_time(0.05, 0.1, 5), 0.05);
+/// ```
+pub fn reaction_time(latency: f64, current_latency: f64, confirm_frames: u32) -> f64 {
+    latency + (f64::from(confirm_frames) * (latency - current_latency)).max(0.0)
+}
+
+/// [m/s2] a_b, the deceleration of the safety procedure for an ego whose acceleration is `accel`.
+///
+/// C3 = 4.9, C4 = 1.1: at a_0 = -5 it is 5.5, at -4 (4.4 < 4.9) and at +5 it is 4.9.
+/// ```
+/// use zhuyi_estimator::ego_motion::braking_decel;
+/// assert!((braking_decel(-5.0, 4.9, 1.1) - 5.5).abs() < 1e-12);
+/// assert_eq!(braking_decel(-4.0, 4.9, 1.1), 4.9);
+/// assert_eq!(braking_decel(5.0, 4.9, 1.1), 4.9);
+/// ```
+pub fn braking_decel(accel: f64, c3: f64, c4: f64) -> f64 {
+    if accel < 0.0 { c3.max(c4 * -accel) } else { c3 }
+}
+
+/// The state of the ego at t_0, freed of what its motion cannot have: it does not roll backwards, and standing it has no
+/// acceleration (reading R12).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Start {
+    /// [m/s] v_e0.
+    pub speed: f64,
+    /// [m/s2] a_0.
+    pub accel: f64,
+}
+
+impl Start {
+    /// From the speed and acceleration as measured.
+    pub fn new(speed: f64, accel: f64) -> Self {
+        if speed > 0.0 {
+            Self { speed, accel }
+        } else {
+            Self {
+                speed: 0.0,
+                accel: 0.0,
+            }
+        }
+    }
+}
+
+/// A stretch of constant acceleration, up to the next one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Phase {
+    pub start: f64,
+    pub distance: f64,
+    pub speed: f64,
+    pub accel: f64,
+}
+
+impl Phase {
+    pub fn distance_at(&self, time: f64) -> f64 {
+        let x = time - self.start;
+        self.distance + x * (self.speed + x * (self.accel / 2.0))
+    }
+
+    pub fn speed_at(&self, time: f64) -> f64 {
+        self.speed + (time - self.start) * self.accel
+    }
+}
+
+/// The ego's motion along its path from t_0 on: hold, brake, stand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EgoMotion {
+    phases: [Phase; 3],
+}
+
+impl EgoMotion {
+    /// Hold the acceleration until `reaction_time`, then brake by `decel`.
+    ///
+    /// 20 m/s, no acceleration, t_r = 1 s, a_b = 5 m/s2: after 3 s it has gone 20 + 2 (20 + 10)/2 = 50 m and drives 10 m/s;
+    /// it stands after 5 s and 60 m.
+    /// ```
+    /// use zhuyi_estimator::ego_motion::{EgoMotion, Start};
+    /// let ego = EgoMotion::new(Start::new(20.0, 0.0), 1.0, 5.0);
+    /// assert_eq!((ego.distance(3.0), ego.speed(3.0)), (50.0, 10.0));
+    /// assert_eq!((ego.distance(9.0), ego.speed(9.0), ego.stands_from()), (60.0, 0.0, 5.0));
+    /// ```
+    ///
+    /// An ego that stops by itself within t_r stays: 10 m/s at -5 m/s2 stands after 2 s and 10 m.
+    /// ```
+    /// # use zhuyi_estimator::ego_motion::{EgoMotion, Start};
+    /// let ego = EgoMotion::new(Start::new(10.0, -5.0), 3.0, 5.5);
+    /// assert_eq!((ego.distance(3.0), ego.distance(20.0), ego.stands_from()), (10.0, 10.0, 2.0));
+    /// ```
+    pub fn new(start: Start, reaction_time: f64, decel: f64) -> Self {
+        let hold = Phase {
+            start: 0.0,
+            distance: 0.0,
+            speed: start.speed,
+            accel: start.accel,
+        };
+        let stop = if start.accel < 0.0 {
+            start.speed / -start.accel
+        } else {
+            f64::INFINITY
+        };
+        let brake = if stop <= reaction_time {
+            Phase {
+                start: stop,
+                distance: hold.distance_at(stop),
+                speed: 0.0,
+                accel: 0.0,
+            }
+        } else {
+            let (distance, speed) = (
+                hold.distance_at(reaction_time),
+                hold.speed_at(reaction_time).max(0.0),
+            );
+            Phase {
+                start: reaction_time,
+                distance,
+                speed,
+                accel: if speed > 0.0 { -decel } else { 0.0 },
+            }
+        };
+        let braking_time = if brake.speed > 0.0 {
+            brake.speed / decel
+        } else {
+            0.0
+        };
+        let stand = Phase {
+            start: brake.start + braking_time,
+            distance: brake.distance + brake.speed * braking_time / 2.0,
+            speed: 0.0,
+            accel: 0.0,
+        };
+        Self {
+            phases: [hold, brake, stand],
+        }
+    }
+
+    /// Hold the acceleration for ever: no braking, but no reversing either.
+    pub fn held(start: Start) -> Self {
+        if start.accel < 0.0 {
+            return Self::new(start, f64::INFINITY, 0.0);
+        }
+        let hold = Phase {
+            start: 0.0,
+            distance: 0.0,
+            speed: start.speed,
+            accel: start.accel,
+        };
+        let never = Phase {
+            start: f64::INFINITY,
+            ..hold
+        };
+        Self {
+            phases: [hold, never, never],
+        }
+    }
+
+    /// [m] d(t), distance covered since t_0.
+    pub fn distance(&self, time: f64) -> f64 {
+        self.phase(time).distance_at(time)
+    }
+
+    /// [m/s] v_e(t).
+    pub fn speed(&self, time: f64) -> f64 {
+        self.phase(time).speed_at(time)
+    }
+
+    /// [s] when it comes to stand; infinite if it never does.
+    pub fn stands_from(&self) -> f64 {
+        self.phases[2].start
+    }
+
+    /// The three phases, each with the time at which it ends.
+    pub(crate) fn phases(&self) -> [(&Phase, f64); 3] {
+        let [hold, brake, stand] = &self.phases;
+        [
+            (hold, brake.start),
+            (brake, stand.start),
+            (stand, f64::INFINITY),
+        ]
+    }
+
+    /// The phase that holds at a time.
+    pub(crate) fn phase(&self, time: f64) -> &Phase {
+        let [hold, brake, stand] = &self.phases;
+        if time < brake.start {
+            hold
+        } else if time < stand.start {
+            brake
+        } else {
+            stand
+        }
+    }
+}

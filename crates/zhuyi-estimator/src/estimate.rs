@@ -1,0 +1,86 @@
+//! Question and answer for one actor on one trajectory (reading R12).
+//!
+//! The answer is the largest latency of the grid for which a t_n in [t_r, horizon] exists, or why there is none, and which
+//! constraint refused the next larger latency.
+
+use crate::grid::{MAX_FPR, fpr};
+use zhuyi_core::Footprint;
+
+/// The ego at t_0, on the road or in any straight frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ego {
+    /// [m] centre of its box along the path.
+    pub s: f64,
+    /// [m] centre of its box across the path.
+    pub d: f64,
+    /// [m/s] v_e0.
+    pub speed: f64,
+    /// [m/s2] a_0, signed.
+    pub accel: f64,
+    /// Its box.
+    pub footprint: Footprint,
+}
+
+/// What kind of answer an estimate is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum State {
+    /// No conflict in the horizon that braking could prevent (reading R8).
+    None,
+    /// A latency of the grid is tolerable.
+    Tolerable,
+    /// No latency of the grid is, but to react at once would do: more than 30 FPR.
+    BeyondGrid,
+    /// Even to react at once is too late.
+    Unavoidable,
+    /// No latency of the grid is tolerable, and a conflict begins with the bodies side by side: no rate helps.
+    Alongside,
+}
+
+/// What refuses a latency.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Binding {
+    /// Eq. 1: never behind the actor while slow enough.
+    Distance,
+    /// Eq. 2: never slow enough.
+    Speed,
+    /// Reading R6: both constraints would hold at some t_n, but the ego drives through the actor before it.
+    PassThrough,
+}
+
+/// The answer for one actor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Estimate {
+    /// What kind of answer.
+    pub state: State,
+    /// [s] the tolerable latency; the largest of the grid where there is no conflict, none where nothing is tolerable.
+    pub latency: Option<f64>,
+    /// [s] the t_n that made it tolerable, from t_0; the criterion `standstill` has none.
+    pub t_n: Option<f64>,
+    /// What refused the next larger latency of the grid, if anything did.
+    pub binding: Option<Binding>,
+    /// [s] how much of the horizon lies beyond what is known of the actor's future.
+    pub extrapolated: f64,
+}
+
+impl Estimate {
+    /// [Hz] the frame processing rate asked for: 1/l, at most 30, and 30 where no latency of the grid will do. None for an actor
+    /// alongside, which no rate helps.
+    ///
+    /// ```
+    /// use zhuyi_estimator::{Estimate, State};
+    /// let mut estimate =
+    ///     Estimate { state: State::Tolerable, latency: Some(0.25), t_n: None, binding: None, extrapolated: 0.0 };
+    /// assert_eq!(estimate.fpr(), Some(4.0));
+    /// (estimate.state, estimate.latency) = (State::Unavoidable, None);
+    /// assert_eq!(estimate.fpr(), Some(30.0));
+    /// estimate.state = State::Alongside;
+    /// assert_eq!(estimate.fpr(), None);
+    /// ```
+    pub fn fpr(&self) -> Option<f64> {
+        match (self.state, self.latency) {
+            (State::Alongside, _) => None,
+            (_, Some(latency)) => Some(fpr(latency)),
+            (_, None) => Some(MAX_FPR),
+        }
+    }
+}

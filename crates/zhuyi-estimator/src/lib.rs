@@ -1,0 +1,59 @@
+//! The Zhuyi model: how slow may perception be before the ego can no longer brake in time?
+//!
+//! ```text
+//!   Ego ──────────────┐
+//!   Future, l_0 ──────┤ per actor and future                                per actor                  per camera
+//!                     ▼                                                        │                           │
+//!   conflict: when is the actor the ego's business?  (R7, R8)                  │                           │
+//!   ego_motion: hold, brake, stand                   (R1-R3)                   │                           │
+//!   constraints at t_n, no contact before            (R5, R6, R9)              │                           │
+//!   exact | paper: is there such a t_n for this l?   (R11)                     │                           │
+//!   estimator: the largest l of the grid             (R4, R12) ── Estimate ──▶ aggregation (R13) ──▶ demand (R14)
+//! ```
+//!
+//! | question | ask |
+//! |---|---|
+//! | one actor, one future | [`Estimator::trajectory`], for recorded runs [`Estimator::recorded`] |
+//! | one actor, several futures with probabilities | [`Estimator::forecast`] |
+//! | all cameras | [`Estimator::demands`] |
+//!
+//! The answer is an [`Estimate`]: a [`State`], the tolerable latency where there is one, the time t_n that made it so, and what
+//! refused the next larger latency. [`Estimate::fpr`] turns it into frames per second.
+//!
+//! What the model guarantees, each with a test: an ego that follows the procedure (hold for t_r, then brake) at the tolerable
+//! latency touches nobody up to t_n, under [`Criterion::Standstill`] for good; a larger gap, fewer frames to confirm or harder
+//! braking never lower the latency; only differences in place and time count; the paper's jumps never tolerate more than the
+//! exact solver. The answer to a question depends on nothing but the question, and asking about one future allocates nothing.
+//!
+//! Source: "Zhuyi: Perception Processing Rate Estimation for Safety in Autonomous Vehicles" (DAC 2022). "Reading R1" and so on
+//! name the places where the paper leaves a choice, and the choice taken. Left out, as in the paper: steering as a way out,
+//! limits of the brakes, uncertainty of what is perceived, actors not yet seen.
+
+pub mod aggregation;
+pub mod constraints;
+pub mod demand;
+pub mod ego_motion;
+pub mod estimate;
+pub mod future;
+pub mod grid;
+pub mod paper;
+pub mod params;
+pub mod recording;
+pub mod samples;
+
+mod conflict;
+mod encounter;
+mod estimator;
+mod exact;
+mod judge;
+mod quadratic;
+mod stretch;
+
+pub use aggregation::ForecastEstimate;
+pub use demand::{Demand, Watch};
+pub use estimate::{Binding, Ego, Estimate, State};
+pub use estimator::Estimator;
+pub use future::Future;
+pub use grid::Latencies;
+pub use params::{Aggregation, Criterion, Grid, Params, Solver};
+pub use recording::Recording;

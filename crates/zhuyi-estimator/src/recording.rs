@@ -1,0 +1,207 @@
+//! A long trajectory that is asked from many instants, with a coarse view of it.
+//!
+//! A recorded run has a piece every 10 ms, and every step of the run asks about the 20 s that follow. So a block of pieces is also
+//! kept as one piece with an error: a quadratic for s and a line for v, and how far the true ones stray from them. Where even with the
+//! error neither contact nor a time that meets the constraints is possible, the search passes over the block at once. This only ever
+//! saves work: what a block cannot rule out is looked at piece by piece, and the answer is that of the plain list.
+
+use crate::Future;
+use zhuyi_core::{Across, Along, Trajectory};
+
+/// Pieces per block along the road, from coarse to fine; each is a multiple of the next.
+pub(crate) const ALONG_BLOCKS: [usize; 2] = [64, 8];
+
+/// Pieces per block across the road.
+const ACROSS_BLOCK: usize = 16;
+
+/// [m, m/s] added to errors for the rounding of the comparison itself.
+const ROUNDING: f64 = 1e-9;
+
+/// Many pieces as one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct AlongBlock {
+    pub fit: Along,
+    pub s_error: f64,
+    pub v_error: f64,
+    /// Time on the list's clock at which it ends, the start of the piece behind it.
+    pub end: f64,
+}
+
+/// Offsets over many pieces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct AcrossBlock {
+    pub start: f64,
+    pub end: f64,
+    pub d_min: f64,
+    pub d_max: f64,
+}
+
+/// A trajectory with its coarse view.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recording {
+    trajectory: Trajectory,
+    along: [Vec<AlongBlock>; ALONG_BLOCKS.len()],
+    across: Vec<AcrossBlock>,
+}
+
+impl Recording {
+    /// Looks through the trajectory once.
+    pub fn new(trajectory: Trajectory) -> Self {
+        let along =
+            ALONG_BLOCKS.map(|size| blocks(&trajectory.along, size).map(along_block).collect());
+        let across = blocks(&trajectory.across, ACROSS_BLOCK)
+            .map(across_block)
+            .collect();
+        Self {
+            trajectory,
+            along,
+            across,
+        }
+    }
+
+    /// The trajectory as given.
+    pub fn trajectory(&self) -> &Trajectory {
+        &self.trajectory
+    }
+
+    pub(crate) fn view(&self, now: f64) -> View<'_> {
+        let along = self.along.each_ref().map(Vec::as_slice);
+        View {
+            future: Future::new(&self.trajectory, now),
+            along,
+            across: &self.across,
+        }
+    }
+}
+
+/// A future, with its coarse view where it has one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct View<'a> {
+    pub future: Future<'a>,
+    pub along: [&'a [AlongBlock]; ALONG_BLOCKS.len()],
+    across: &'a [AcrossBlock],
+}
+
+impl<'a> View<'a> {
+    pub fn plain(future: Future<'a>) -> Self {
+        Self {
+            future,
+            along: [&[]; ALONG_BLOCKS.len()],
+            across: &[],
+        }
+    }
+
+    /// The offsets from `time` to the end of the block of a piece, and the piece behind that.
+    pub fn across_block(&self, index: usize, time: f64) -> Option<(&AcrossBlock, usize)> {
+        let block = self.across.get(index / ACROSS_BLOCK)?;
+        // Before the list begins its first piece is extended backwards, the block is not.
+        (block.start <= time + self.future.now)
+            .then_some((block, (index / ACROSS_BLOCK + 1) * ACROSS_BLOCK))
+    }
+}
+
+/// Whole blocks of a list, each with the piece behind it; the pieces after them go on for ever.
+fn blocks<P>(pieces: &[P], size: usize) -> impl Iterator<Item = (&[P], &P)> {
+    pieces
+        .chunks(size)
+        .zip(pieces.iter().skip(size).step_by(size))
+}
+
+fn along_block((pieces, behind): (&[Along], &Along)) -> AlongBlock {
+    let ends = pieces
+        .iter()
+        .skip(1)
+        .map(|piece| piece.time)
+        .chain([behind.time]);
+    let timed = || pieces.iter().zip(ends.clone());
+    let fit = fit(pieces, behind.time);
+    let (mut s_error, mut v_error) = (0.0, 0.0);
+    for (piece, end) in timed() {
+        // Both are quadratics: they are furthest apart at an end of the piece or where their rates agree.
+        let (accel, rate) = (
+            piece.s_half_accel - fit.s_half_accel,
+            rate_at(piece, piece.time) - rate_at(&fit, piece.time),
+        );
+        let turn = (piece.time - rate / (2.0 * accel)).max(piece.time).min(end);
+        for time in [piece.time, turn, end] {
+            widen(&mut s_error, piece.s_at(time) - fit.s_at(time));
+            widen(&mut v_error, piece.v_at(time) - fit.v_at(time));
+        }
+    }
+    if ![fit.s, fit.s_rate, fit.s_half_accel, fit.v, fit.v_rate]
+        .iter()
+        .all(|number| number.is_finite())
+    {
+        // Pieces without duration: rules nothing out.
+        let fit = Along::constant_accel(fit.time, 0.0, 0.0, 0.0);
+        return AlongBlock {
+            fit,
+            s_error: f64::INFINITY,
+            v_error: f64::INFINITY,
+            end: behind.time,
+        };
+    }
+    AlongBlock {
+        fit,
+        s_error: s_error + ROUNDING,
+        v_error: v_error + ROUNDING,
+        end: behind.time,
+    }
+}
+
+fn widen(error: &mut f64, difference: f64) {
+    if difference.abs() > *error {
+        *error = difference.abs();
+    }
+}
+
+fn rate_at(piece: &Along, time: f64) -> f64 {
+    piece.s_rate + 2.0 * piece.s_half_accel * (time - piece.time)
+}
+
+/// The quadratic in s through both ends and the middle, and the line in v through both ends.
+fn fit(pieces: &[Along], end: f64) -> Along {
+    let (first, last, middle) = (
+        &pieces[0],
+        &pieces[pieces.len() - 1],
+        &pieces[pieces.len() / 2],
+    );
+    let (half, length) = (middle.time - first.time, end - first.time);
+    let (mean_half, mean) = (
+        (middle.s - first.s) / half,
+        (last.s_at(end) - first.s) / length,
+    );
+    let s_half_accel = (mean - mean_half) / (length - half);
+    let s_rate = mean - s_half_accel * length;
+    Along {
+        s_rate,
+        s_half_accel,
+        v_rate: (last.v_at(end) - first.v) / length,
+        ..*first
+    }
+}
+
+fn across_block((pieces, behind): (&[Across], &Across)) -> AcrossBlock {
+    let mut block = AcrossBlock {
+        start: pieces[0].time,
+        end: behind.time,
+        d_min: f64::INFINITY,
+        d_max: f64::NEG_INFINITY,
+    };
+    let ends = pieces
+        .iter()
+        .skip(1)
+        .map(|piece| piece.time)
+        .chain([behind.time]);
+    for (piece, end) in pieces.iter().zip(ends) {
+        for d in [piece.d, piece.d + (end - piece.time) * piece.d_rate] {
+            if d < block.d_min {
+                block.d_min = d;
+            }
+            if d > block.d_max {
+                block.d_max = d;
+            }
+        }
+    }
+    block
+}

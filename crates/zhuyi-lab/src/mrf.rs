@@ -1,0 +1,54 @@
+//! The minimum required frame processing rate (reading R20).
+
+use std::fmt;
+
+/// The smallest tested rate at which, and at every higher one, no seed collides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Mrf {
+    /// That rate.
+    Rate(u32),
+    /// Even the highest tested rate collides: more than that.
+    Above(u32),
+}
+
+impl fmt::Display for Mrf {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Rate(rate) => rate.fmt(f),
+            Self::Above(rate) => write!(f, ">{rate}"),
+        }
+    }
+}
+
+/// The MRF of one scenario, with what is odd about it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Required {
+    /// The rate.
+    pub mrf: Mrf,
+    /// Rates below it without a collision: the scenario is not monotone in the rate.
+    pub safe_below: Vec<u32>,
+}
+
+/// The MRF from (rate, number of seeds that collided), in ascending order of rates.
+///
+/// ```
+/// use zhuyi_lab::mrf::{Mrf, required};
+/// let found = required(&[(1, 3), (2, 0), (3, 1), (4, 0), (5, 0)]);
+/// assert_eq!(found.mrf, Mrf::Rate(4));
+/// assert_eq!(found.safe_below, [2]);
+/// assert_eq!(required(&[(1, 10), (30, 1)]).mrf, Mrf::Above(30));
+/// assert_eq!(required(&[(1, 0), (2, 0)]).mrf, Mrf::Rate(1));
+/// ```
+///
+/// # Panics
+/// If there is no rate.
+pub fn required(collisions: &[(u32, u32)]) -> Required {
+    assert!(!collisions.is_empty(), "at least one rate must be tested");
+    let safe_from = collisions.iter().rposition(|(_, count)| *count > 0).map_or(0, |last| last + 1);
+    let mrf = match collisions.get(safe_from) {
+        Some((rate, _)) => Mrf::Rate(*rate),
+        None => Mrf::Above(collisions[collisions.len() - 1].0),
+    };
+    let safe_below = collisions[..safe_from].iter().filter(|(_, count)| *count == 0).map(|(rate, _)| *rate).collect();
+    Required { mrf, safe_below }
+}

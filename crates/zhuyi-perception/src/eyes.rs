@@ -1,0 +1,222 @@
+//! The rig at work: cameras expose by their clocks, and each picture becomes a frame some time later.
+//!
+//! ```text
+//! ready = exposed + latency,   latency = 1/f at the exposure unless set
+//! s' = s + σ_s z_1,  d' = d + σ_d z_2,  ṡ' = ṡ + σ_v z_3,  ḋ' = ḋ + σ_v z_4
+//! ```
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | f | frame rate of the camera | Hz |
+//! | `σ_s, σ_d, σ_v` | standard deviations of the measurement | m, m, m/s |
+//! | z | independent standard normal numbers, drawn per camera, actor and frame | - |
+//!
+//! A picture shows the scene at its exposure instant. Frames are delivered in the order in which they become ready. A
+//! frame whose latency dates from a slower rate can be overtaken by a later one of the same camera: it is then dropped
+//! and counted (reading R15).
+
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+use zhuyi_core::{ActorId, CameraId, Detection, Frame, FrameRates, Scene, SimTime};
+
+use crate::sight::View;
+use crate::stream::{Luck, Purpose};
+use crate::{Clock, Perception};
+
+/// The cameras of the ego, with their frames in flight.
+#[derive(Clone, Debug)]
+pub struct Eyes {
+    params: Perception,
+    shutters: Vec<Shutter>,
+    in_flight: Vec<Frame>,
+    scene: Scene,
+    view: View,
+}
+
+/// One camera's timing, luck and counts.
+#[derive(Clone, Debug)]
+struct Shutter {
+    clock: Clock,
+    streams: Vec<ChaCha8Rng>,
+    newest: Option<SimTime>,
+    exposed: u64,
+    processed: u64,
+    dropped: u64,
+}
+
+impl Eyes {
+    /// A rig at the start of a run that begins with the scene `start`. `draws` gives the generator of each purpose.
+    ///
+    /// # Panics
+    /// If `rates` has fewer entries than the rig has cameras.
+    pub fn new(
+        params: &Perception,
+        rates: &FrameRates,
+        mut draws: impl FnMut(Purpose) -> ChaCha8Rng,
+        start: &Scene,
+    ) -> Self {
+        let cameras = (0..params.eyes.len()).map(|index| CameraId(index as u8));
+        let shutters = cameras.map(|camera| {
+            let actors = (0..start.actors.len()).map(|index| ActorId(index as u32));
+            Shutter {
+                clock: Clock::new(rates.of(camera), draws(Purpose::Phase(camera)).random()),
+                streams: actors
+                    .map(|actor| draws(Purpose::Detection(camera, actor)))
+                    .collect(),
+                newest: None,
+                exposed: 0,
+                processed: 0,
+                dropped: 0,
+            }
+        });
+        Self {
+            shutters: shutters.collect(),
+            params: params.clone(),
+            in_flight: Vec::new(),
+            scene: start.clone(),
+            view: View::default(),
+        }
+    }
+
+    /// What every camera sees in `scene` at once, without delay and without misses: with it the tracker starts
+    /// (reading R16). Comes before the first exposure, takes the first draw of each stream and is not counted.
+    pub fn glance(&mut self, scene: &Scene) -> Vec<Frame> {
+        (0..self.shutters.len())
+            .map(|index| Frame {
+                camera: CameraId(index as u8),
+                exposed: scene.time,
+                ready: scene.time,
+                detections: detect(
+                    &self.params,
+                    index,
+                    &mut self.shutters[index].streams,
+                    scene,
+                    &mut self.view,
+                    0.0,
+                ),
+                ego: scene.ego.pose,
+            })
+            .collect()
+    }
+
+    /// Changes a camera's rate at `now`. Its next exposure is `max(now, last + 1/hz)`; frames in flight keep their
+    /// latency.
+    ///
+    /// # Panics
+    /// If `hz` is not positive and finite.
+    pub fn set_rate(&mut self, camera: CameraId, hz: f64, now: SimTime) {
+        self.shutters[camera.index()].clock.set_rate(hz, now);
+    }
+
+    /// [Hz] a camera's present rate.
+    pub fn rate(&self, camera: CameraId) -> f64 {
+        self.shutters[camera.index()].clock.hz()
+    }
+
+    /// Takes all exposures due up to and including `to`, in order of time. `evaluate` fills the scene, actors and all,
+    /// as it truly is at the instant it is given. That instant is never earlier than the one exposed up to before.
+    pub fn expose(&mut self, to: SimTime, mut evaluate: impl FnMut(SimTime, &mut Scene)) {
+        while let Some(index) = self.due(to) {
+            let shutter = &mut self.shutters[index];
+            let latency = self.params.eyes[index]
+                .latency
+                .map_or(shutter.clock.period(), SimTime::from_seconds);
+            let exposed = shutter.clock.tick();
+            shutter.exposed += 1;
+            evaluate(exposed, &mut self.scene);
+            let miss_rate = self.params.miss_rate;
+            self.in_flight.push(Frame {
+                camera: CameraId(index as u8),
+                exposed,
+                ready: exposed + latency,
+                detections: detect(
+                    &self.params,
+                    index,
+                    &mut shutter.streams,
+                    &self.scene,
+                    &mut self.view,
+                    miss_rate,
+                ),
+                ego: self.scene.ego.pose,
+            });
+        }
+    }
+
+    /// The camera with the earliest exposure up to `to`, the first of the rig among equals.
+    fn due(&self, to: SimTime) -> Option<usize> {
+        let next = self
+            .shutters
+            .iter()
+            .map(|shutter| shutter.clock.next())
+            .enumerate();
+        let (index, at) = next.min_by_key(|&(index, at)| (at, index))?;
+        (at <= to).then_some(index)
+    }
+
+    /// The next frame that is ready by `now`, in order of (ready, camera); call it until there is none.
+    pub fn deliver(&mut self, now: SimTime) -> Option<Frame> {
+        loop {
+            let ready = self
+                .in_flight
+                .iter()
+                .enumerate()
+                .filter(|(_, frame)| frame.ready <= now);
+            let (index, _) =
+                ready.min_by_key(|(_, frame)| (frame.ready, frame.camera, frame.exposed))?;
+            let frame = self.in_flight.swap_remove(index);
+            let shutter = &mut self.shutters[frame.camera.index()];
+            if shutter.newest.is_none_or(|newest| newest < frame.exposed) {
+                shutter.newest = Some(frame.exposed);
+                shutter.processed += 1;
+                return Some(frame);
+            }
+            shutter.dropped += 1;
+        }
+    }
+
+    /// How many pictures a camera has taken.
+    pub fn frames_exposed(&self, camera: CameraId) -> u64 {
+        self.shutters[camera.index()].exposed
+    }
+
+    /// How many of its frames were delivered.
+    pub fn frames_processed(&self, camera: CameraId) -> u64 {
+        self.shutters[camera.index()].processed
+    }
+
+    /// How many of its frames were overtaken by a later one and dropped.
+    pub fn frames_dropped(&self, camera: CameraId) -> u64 {
+        self.shutters[camera.index()].dropped
+    }
+}
+
+/// What a camera of the rig finds in a scene.
+fn detect(
+    params: &Perception,
+    camera: usize,
+    streams: &mut [ChaCha8Rng],
+    scene: &Scene,
+    view: &mut View,
+    miss_rate: f64,
+) -> Vec<Detection> {
+    view.look(&params.eyes[camera].camera, scene);
+    let mut detections = Vec::new();
+    for (index, (body, stream)) in scene.actors.iter().zip(streams).enumerate() {
+        let luck = Luck::draw(stream);
+        if luck.miss < miss_rate || !view.sees(index, params.visible_share) {
+            continue;
+        }
+        let [z1, z2, z3, z4] = luck.normals();
+        let mut road = body.road;
+        road.s += params.noise_along * z1;
+        road.d += params.noise_across * z2;
+        detections.push(Detection {
+            actor: ActorId(index as u32),
+            road,
+            s_rate: body.s_rate + params.noise_speed * z3,
+            d_rate: body.d_rate + params.noise_speed * z4,
+            footprint: body.footprint,
+        });
+    }
+    detections
+}

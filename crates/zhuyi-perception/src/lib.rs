@@ -1,0 +1,36 @@
+//! Eyes: camera rig, frame clocks, visibility and occlusion, confirmation, tracks.
+//!
+//! ```text
+//!            ┌──────────────────────── Eyes ────────────────────────┐     ┌────────── Tracker ──────────┐
+//!  Scene ──▶ │ clock ── exposure ──▶ sight ──▶ stream ──▶ in flight │ ──▶ │ confirmation, loss ─ belief │ ──▶ Track
+//!  (truth)   │   ▲                 who is     noise,       latency  │Frame│ K and M frames      Kalman   │
+//!            └───┼─────────────────visible────misses────────────────┘     └─────────────────────────────┘
+//!            frame rates
+//! ```
+//!
+//! - [`clock`]: when a camera exposes (reading R15).
+//! - [`sight`]: what it can see from where it is (R17).
+//! - [`stream`]: what chance adds to that (R18).
+//! - [`eyes`]: the rig at work; frames from exposure to delivery (R15).
+//! - [`axis`], [`belief`]: the Kalman filter of one actor.
+//! - [`tracker`]: which actors the ego believes in, and where they are now (R16).
+//!
+//! What it leaves out: images, classes, and association. A detection carries the identity of its actor, so two cars
+//! are never swapped and nothing is invented where nothing is. Bodies hide each other; buildings, weather and night
+//! do not exist. The ego knows its own pose exactly.
+
+pub mod axis;
+pub mod belief;
+pub mod clock;
+pub mod eyes;
+pub mod params;
+pub mod sight;
+pub mod stream;
+pub mod tracker;
+
+pub use clock::Clock;
+pub use eyes::Eyes;
+pub use params::{Eye, Perception};
+pub use sight::{View, visible_share};
+pub use stream::Purpose;
+pub use tracker::Tracker;

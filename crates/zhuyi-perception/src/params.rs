@@ -1,0 +1,37 @@
+//! The parameters of perception.
+
+use zhuyi_core::Camera;
+
+/// One camera of the rig with its timing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Eye {
+    /// Where it looks.
+    pub camera: Camera,
+    /// [s] exposure to result; one frame period unless set (reading R15).
+    pub latency: Option<f64>,
+    /// K, consecutive frames that confirm an actor (reading R16); at least 1.
+    pub confirm_frames: u32,
+}
+
+/// Detection, confirmation and tracking.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Perception {
+    /// The rig.
+    pub eyes: Vec<Eye>,
+    /// [-] smallest share of its angular width that must not be hidden for a body to be detected (reading R17).
+    pub visible_share: f64,
+    /// [m] standard deviation of a measured `s`.
+    pub noise_along: f64,
+    /// [m] standard deviation of a measured `d`.
+    pub noise_across: f64,
+    /// [m/s] standard deviation of both measured speeds.
+    pub noise_speed: f64,
+    /// [-] chance that a visible body is missed in a frame.
+    pub miss_rate: f64,
+    /// M, consecutive missed frames of a camera that should see a track after which the track is lost; at least 1.
+    pub lost_frames: u32,
+    /// [m2/s5] spectral density of the jerk along the road, by which the tracker expects accelerations to wander.
+    pub jerk_density_along: f64,
+    /// [m2/s5] the same across the road.
+    pub jerk_density_across: f64,
+}

@@ -1,0 +1,192 @@
+//! What a camera can see: angular widths, and who hides whom.
+//!
+//! ```text
+//! share = (width - |hidden|) / min(width, fov)
+//! ```
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | width | angle under which the camera sees the body's box, corner to corner | rad |
+//! | hidden | the part of that angle that lies outside the field of view or behind a nearer body; overlaps count once | rad |
+//! | fov | full field of view; a body wider than that and cut by nothing else is seen whole | rad |
+//!
+//! A body is visible when its share is positive and at least the one asked for, and the point of its box nearest to
+//! the camera is within range (reading R17). Of two boxes that overlap in angle the nearer is the one that a ray
+//! through the middle of the overlap enters first: disjoint convex bodies have the same order on every ray that meets
+//! both, since a line separates them. The ego does not hide its own view. A camera inside a box sees that box alone.
+//!
+//! Leaves out heights (nothing is seen over or under another body) and the vertical field of view.
+
+use std::f64::consts::{PI, TAU};
+use zhuyi_core::geometry::wrap_angle;
+use zhuyi_core::{ActorId, Camera, Footprint, Pose, Scene};
+
+/// [-] the share of an actor that a camera sees of it, in range or not.
+pub fn visible_share(camera: &Camera, scene: &Scene, actor: ActorId) -> f64 {
+    let mut view = View::default();
+    view.look(camera, scene);
+    view.share(actor.index())
+}
+
+/// What lies before a camera. Kept and looked through again, it allocates nothing.
+#[derive(Clone, Debug, Default)]
+pub struct View {
+    fov: f64,
+    range: f64,
+    outlines: Vec<Outline>,
+    shadows: Vec<(f64, f64)>,
+}
+
+impl View {
+    /// Looks through `camera` at the actors of `scene`, which keep their places.
+    pub fn look(&mut self, camera: &Camera, scene: &Scene) {
+        let boxes = scene.actors.iter().map(|body| (body.footprint, body.pose));
+        self.look_at_boxes(camera, scene.ego.pose, boxes);
+    }
+
+    /// Looks through `camera` of an ego at `ego` at some boxes, which keep their places.
+    pub fn look_at_boxes(
+        &mut self,
+        camera: &Camera,
+        ego: Pose,
+        boxes: impl IntoIterator<Item = (Footprint, Pose)>,
+    ) {
+        let eye = camera.pose(ego);
+        self.fov = camera.fov;
+        self.range = camera.range;
+        self.outlines.clear();
+        self.outlines.extend(
+            boxes
+                .into_iter()
+                .map(|(footprint, pose)| Outline::new(eye, footprint, pose)),
+        );
+    }
+
+    /// Whether the box at this place is in range and at least `least_share` of it is visible.
+    pub fn sees(&mut self, which: usize, least_share: f64) -> bool {
+        if self.outlines[which].distance > self.range {
+            return false;
+        }
+        let share = self.share(which);
+        share > 0.0 && share >= least_share
+    }
+
+    /// [-] the visible share of the box at this place, in range or not.
+    pub fn share(&mut self, which: usize) -> f64 {
+        let body = self.outlines[which];
+        let width = body.left - body.right;
+        let half_fov = self.fov / 2.0;
+        self.shadows.clear();
+        self.shadows
+            .extend(body.overlaps((half_fov - body.bearing, TAU - half_fov - body.bearing)));
+        if self.shadows.iter().any(|(from, to)| to - from >= width) {
+            return 0.0; // out of view: who else is there does not matter
+        }
+        for (index, other) in self.outlines.iter().enumerate() {
+            if index != which {
+                let offset = other.bearing - body.bearing;
+                let overlaps = body.overlaps((offset + other.right, offset + other.left));
+                self.shadows.extend(overlaps.filter(|&(from, to)| {
+                    let ray = body.bearing + f64::midpoint(from, to);
+                    other.entry(ray) < body.entry(ray)
+                }));
+            }
+        }
+        (width - covered(&mut self.shadows)) / width.min(self.fov)
+    }
+}
+
+/// A box as seen by an eye. Angles are counted counter-clockwise, bearings from the eye's heading.
+#[derive(Clone, Copy, Debug)]
+struct Outline {
+    bearing: f64,
+    /// Angle from the bearing to the rightmost corner, negative ...
+    right: f64,
+    /// ... and to the leftmost, positive.
+    left: f64,
+    /// Distance to the nearest point of the box.
+    distance: f64,
+    /// The eye in the frame of the box ...
+    eye: [f64; 2],
+    /// ... and its heading there.
+    heading: f64,
+    half_size: [f64; 2],
+}
+
+impl Outline {
+    fn new(eye: Pose, footprint: Footprint, pose: Pose) -> Self {
+        let (x, y) = pose.local(eye.point());
+        let heading = eye.heading - pose.heading;
+        let [l, w] = [footprint.length / 2.0, footprint.width / 2.0];
+        let distance = (x.abs() - l).max(0.0).hypot((y.abs() - w).max(0.0));
+        let (bearing, right, left) = if distance > 0.0 {
+            // The box spans less than half a turn: of two of its points the one to the right is told by a product.
+            let centre = (-x, -y);
+            let (mut rightmost, mut leftmost) = (centre, centre);
+            for (a, b) in [(l, w), (l, -w), (-l, -w), (-l, w)] {
+                let corner = (a - x, b - y);
+                if cross(rightmost, corner) < 0.0 {
+                    rightmost = corner;
+                }
+                if cross(leftmost, corner) > 0.0 {
+                    leftmost = corner;
+                }
+            }
+            let bearing = wrap_angle(centre.1.atan2(centre.0) - heading);
+            (bearing, turn(centre, rightmost), turn(centre, leftmost))
+        } else {
+            (0.0, -PI, PI)
+        };
+        Self {
+            bearing,
+            right,
+            left,
+            distance,
+            eye: [x, y],
+            heading,
+            half_size: [l, w],
+        }
+    }
+
+    /// The parts of the angle `(from, to)` that fall on this box, all counted from its bearing. `from` and `to` may be
+    /// off by whole turns, and what reaches around the back may fall on it twice.
+    fn overlaps(self, (from, to): (f64, f64)) -> impl Iterator<Item = (f64, f64)> {
+        [-TAU, 0.0, TAU]
+            .into_iter()
+            .map(move |turn| ((from + turn).max(self.right), (to + turn).min(self.left)))
+            .filter(|(from, to)| from < to)
+    }
+
+    /// Distance at which a ray at a bearing enters the box, for a ray that meets it (slab test).
+    fn entry(&self, bearing: f64) -> f64 {
+        let (sin, cos) = (self.heading + bearing).sin_cos();
+        let [x, y] = self.eye;
+        let [half_length, half_width] = self.half_size;
+        let lengthwise = (-half_length.copysign(cos) - x) / cos;
+        let sideways = (-half_width.copysign(sin) - y) / sin;
+        lengthwise.max(sideways).max(0.0)
+    }
+}
+
+fn cross(a: (f64, f64), b: (f64, f64)) -> f64 {
+    a.0 * b.1 - a.1 * b.0
+}
+
+/// The angle from one direction to another, counter-clockwise.
+fn turn(from: (f64, f64), to: (f64, f64)) -> f64 {
+    cross(from, to).atan2(from.0 * to.0 + from.1 * to.1)
+}
+
+/// The length of the union of some intervals.
+fn covered(intervals: &mut [(f64, f64)]) -> f64 {
+    intervals.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+    let mut total = 0.0;
+    let mut end = f64::NEG_INFINITY;
+    for &(from, to) in &*intervals {
+        if to > end {
+            total += to - from.max(end);
+            end = to;
+        }
+    }
+    total
+}

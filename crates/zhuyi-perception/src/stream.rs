@@ -1,0 +1,104 @@
+//! Chance, keyed by purpose.
+//!
+//! The caller hands out one generator per [`Purpose`]. A detection stream gives five uniform numbers per exposed frame,
+//! whether the actor is visible or not: the j-th frame of a camera has the same luck with an actor whatever the other
+//! cameras do, at any rate, so that runs that differ in rate alone stay paired (reading R18).
+//!
+//! ```text
+//! z_1 = √(-2 ln(1 - u_1)) cos 2π u_2,   z_2 = √(-2 ln(1 - u_1)) sin 2π u_2        u in [0, 1)
+//! ```
+//!
+//! Source: Box and Muller, *A Note on the Generation of Random Normal Deviates*, 1958. `1 - u_1` keeps the logarithm
+//! finite.
+
+use rand::{Rng, RngExt};
+use std::f64::consts::TAU;
+use zhuyi_core::{ActorId, CameraId};
+
+/// What a stream of random numbers is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Purpose {
+    /// When a camera first exposes.
+    Phase(CameraId),
+    /// What a camera makes of an actor.
+    Detection(CameraId, ActorId),
+}
+
+/// The luck of one frame with one actor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Luck {
+    /// [-] uniform in [0, 1): below the miss rate, the actor is missed.
+    pub miss: f64,
+    uniform: [f64; 4],
+}
+
+impl Luck {
+    pub fn draw(rng: &mut impl Rng) -> Self {
+        Self {
+            miss: rng.random(),
+            uniform: rng.random(),
+        }
+    }
+
+    /// Four independent standard normal numbers.
+    pub fn normals(&self) -> [f64; 4] {
+        let [a, b, c, d] = self.uniform;
+        let ((z1, z2), (z3, z4)) = (normal_pair(a, b), normal_pair(c, d));
+        [z1, z2, z3, z4]
+    }
+}
+
+/// Two independent standard normal numbers from two uniform ones.
+///
+/// ```
+/// let (z1, z2) = zhuyi_perception::stream::normal_pair(1.0 - (-0.5_f64).exp(), 0.25);
+/// assert!(z1.abs() < 1e-15 && (z2 - 1.0).abs() < 1e-15);
+/// ```
+pub fn normal_pair(u1: f64, u2: f64) -> (f64, f64) {
+    let radius = (-2.0 * (1.0 - u1).ln()).sqrt();
+    let (sin, cos) = (TAU * u2).sin_cos();
+    (radius * cos, radius * sin)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::SeedableRng;
+    use rand_chacha::ChaCha8Rng;
+
+    #[test]
+    fn law_draws_are_standard_normal_and_independent() {
+        let mut rng = ChaCha8Rng::seed_from_u64(1);
+        let draws: Vec<[f64; 4]> = (0..100_000)
+            .map(|_| Luck::draw(&mut rng).normals())
+            .collect();
+        let n = draws.len() as f64;
+        for i in 0..4 {
+            let mean = draws.iter().map(|z| z[i]).sum::<f64>() / n;
+            assert!(mean.abs() < 4.0 / n.sqrt(), "mean {mean} of {i}");
+            for j in i..4 {
+                // Var(z²) = 2, Var(z_i z_j) = 1
+                let product = draws.iter().map(|z| z[i] * z[j]).sum::<f64>() / n;
+                let (wanted, sigma) = if i == j {
+                    (1.0, (2.0 / n).sqrt())
+                } else {
+                    (0.0, n.sqrt().recip())
+                };
+                assert!(
+                    (product - wanted).abs() < 4.0 * sigma,
+                    "{product} of {i}, {j}"
+                );
+            }
+        }
+        let beyond = draws
+            .iter()
+            .flatten()
+            .filter(|z| z.abs() > 1.959_964)
+            .count() as f64
+            / (4.0 * n);
+        assert!(
+            (beyond - 0.05).abs() < 4.0 * (0.05_f64 * 0.95 / (4.0 * n)).sqrt(),
+            "{beyond} beyond 1.96"
+        );
+    }
+}

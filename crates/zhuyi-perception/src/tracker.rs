@@ -1,0 +1,163 @@
+//! Which actors the ego believes in: confirmation and loss.
+//!
+//! An actor is confirmed, for all cameras, when one camera has found it in K consecutive processed frames. A frame of
+//! that camera without it starts its count anew. Until then its detections already feed the filter.
+//!
+//! ```text
+//! in sight    first exposure            K-th exposure       confirmed
+//!    ├─ 0..T ────┤├──────── (K - 1) T ────────┤├──── latency ────┤        K..K+1 periods in all, with latency T
+//! ```
+//!
+//! An actor is lost, and must be confirmed anew, when since its last detection by any camera
+//! - one camera has processed M frames that should have shown it, or
+//! - every camera has processed M frames, whichever way they look: what nobody can see coasts as long as the slowest
+//!   camera takes for M frames.
+//!
+//! A camera should see an actor when the box that is believed at the instant of the exposure lies in its range and whole
+//! in its field of view: at the edge of a picture a hand's breadth of error must not count as a miss. Other bodies do
+//! not matter: who is hidden is lost like who has gone. All is counted in frames, not in seconds, else a camera at 1 Hz
+//! would lose everything (reading R16). Losing an actor that was never confirmed discards its filter and keeps its
+//! counts.
+
+use zhuyi_core::{ActorId, Camera, Detection, Frame, Road, SimTime, Track};
+
+use crate::Perception;
+use crate::belief::Belief;
+use crate::sight::View;
+
+/// The visible share of a box that nothing cuts, less what rounding takes off it.
+const WHOLE: f64 = 1.0 - 1e-9;
+
+/// The ego's beliefs about all actors.
+#[derive(Clone, Debug)]
+pub struct Tracker {
+    params: Perception,
+    files: Vec<File>,
+    tracks: Vec<Track>,
+    view: View,
+}
+
+/// All that is kept about one actor.
+#[derive(Clone, Debug)]
+struct File {
+    belief: Option<Belief>,
+    confirmed: bool,
+    counts: Vec<Counts>,
+}
+
+/// Frames of one camera, as they concern one actor.
+#[derive(Clone, Copy, Debug, Default)]
+struct Counts {
+    /// Consecutive frames with the actor.
+    found: u32,
+    /// Since its last detection by any camera: frames that should have shown it.
+    missed: u32,
+    /// Since its last detection by any camera: frames.
+    passed: u32,
+}
+
+impl Tracker {
+    /// A tracker that knows of no one yet, of the `actors` that there are.
+    pub fn new(params: &Perception, actors: usize) -> Self {
+        let counts = vec![Counts::default(); params.eyes.len()];
+        Self {
+            files: vec![
+                File {
+                    belief: None,
+                    confirmed: false,
+                    counts
+                };
+                actors
+            ],
+            params: params.clone(),
+            tracks: Vec::with_capacity(actors),
+            view: View::default(),
+        }
+    }
+
+    /// Believes at once what `frames` show, which are the first [`glance`](crate::Eyes::glance) of the run.
+    pub fn start_confirmed(&mut self, frames: &[Frame]) {
+        for frame in frames {
+            for detection in &frame.detections {
+                let file = &mut self.files[detection.actor.index()];
+                file.take(detection, frame.exposed, &self.params);
+                file.confirmed = true;
+            }
+        }
+    }
+
+    /// Processes a frame. Frames come in the order in which they became ready.
+    pub fn update(&mut self, frame: &Frame, road: &Road) {
+        let camera = frame.camera.index();
+        for (index, file) in self.files.iter_mut().enumerate() {
+            let actor = ActorId(index as u32);
+            if let Some(detection) = frame.detections.iter().find(|found| found.actor == actor) {
+                file.take(detection, frame.exposed, &self.params);
+                file.counts[camera].found += 1;
+                file.confirmed |=
+                    file.counts[camera].found >= self.params.eyes[camera].confirm_frames;
+                continue;
+            }
+            file.counts[camera].found = 0;
+            if let Some(belief) = &file.belief {
+                let track = belief.track(actor, frame.exposed, &self.params);
+                let eye = &self.params.eyes[camera].camera;
+                let expected = should_see(&mut self.view, eye, frame, &track, road);
+                file.miss(camera, expected, self.params.lost_frames);
+            }
+        }
+    }
+
+    /// The confirmed actors as believed to be at `now`, in the order of their ids.
+    pub fn tracks(&mut self, now: SimTime) -> &[Track] {
+        self.tracks.clear();
+        for (index, file) in self.files.iter().enumerate() {
+            if let (true, Some(belief)) = (file.confirmed, &file.belief) {
+                self.tracks
+                    .push(belief.track(ActorId(index as u32), now, &self.params));
+            }
+        }
+        &self.tracks
+    }
+}
+
+impl File {
+    fn take(&mut self, detection: &Detection, exposed: SimTime, params: &Perception) {
+        match &mut self.belief {
+            Some(belief) => belief.measure(detection, exposed, params),
+            None => self.belief = Some(Belief::start(detection, exposed, params)),
+        }
+        for counts in &mut self.counts {
+            counts.missed = 0;
+            counts.passed = 0;
+        }
+    }
+
+    fn miss(&mut self, camera: usize, expected: bool, lost_frames: u32) {
+        let counts = &mut self.counts[camera];
+        counts.passed += 1;
+        counts.missed += u32::from(expected);
+        let missed = counts.missed >= lost_frames;
+        let given_up = self
+            .counts
+            .iter()
+            .all(|counts| counts.passed >= lost_frames);
+        if missed || given_up {
+            self.belief = None;
+            if self.confirmed {
+                self.confirmed = false;
+                self.counts.fill(Counts::default());
+            }
+        }
+    }
+}
+
+/// Whether a camera has the whole box of a track before it, in a frame.
+fn should_see(view: &mut View, camera: &Camera, frame: &Frame, track: &Track, road: &Road) -> bool {
+    view.look_at_boxes(
+        camera,
+        frame.ego,
+        [(track.footprint, road.world_from_road(track.road))],
+    );
+    view.sees(0, WHOLE)
+}

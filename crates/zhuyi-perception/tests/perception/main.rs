@@ -1,0 +1,13 @@
+//! Perception from the outside.
+//!
+//! - `rig`: the small world that the others look at.
+//! - `sight`: angular widths and occlusion, by hand and against a fan of rays cast by parry.
+//! - `delivery`: exposures, latency, changes of rate, noise and its pairing.
+//! - `confirmation`: how long it takes to believe in an actor, and to lose it.
+//! - `filter`: the Kalman filter against the truth and against its own covariance.
+
+mod confirmation;
+mod delivery;
+mod filter;
+mod rig;
+mod sight;

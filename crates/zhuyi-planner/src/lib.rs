@@ -1,0 +1,23 @@
+//! What the ego does: car following, emergency braking, evasion.
+//!
+//! ```text
+//!  tracks, forecasts ──▶ [corridor] who is in the way ──▶ [follow] gentle ─┐
+//!                                                    ├──▶ [brake]  late, then hard ─┼─▶ Command
+//!                                                    └──▶ [evade]  when braking is not enough ─┘
+//! ```
+//!
+//! The planner knows the road, its own motion, and confirmed tracks extrapolated to now. It never sees the truth.
+//! Gentle car following acts all the time; hard braking is latched once the deceleration that would still avoid a contact
+//! passes a threshold; a lane change is begun only when that deceleration passes what braking can give, and only into a lane
+//! that is free by the safety criterion of MOBIL.
+
+mod brake;
+mod corridor;
+mod evade;
+pub mod params;
+mod planner;
+mod steer;
+
+pub use brake::required_decel;
+pub use params::Planner as PlannerParams;
+pub use planner::Planner;

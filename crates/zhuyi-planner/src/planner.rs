@@ -1,0 +1,143 @@
+//! Arbitration: one command out of car following, hard braking and evasion.
+
+use zhuyi_core::idm::{Idm, Leader};
+use zhuyi_core::{Body, Command, Forecast, Lane, LaneChange, Manoeuvre, Road, SimTime, Track};
+
+use crate::brake::{Latch, required_by};
+use crate::corridor::{blocks, blocks_path, reach};
+use crate::evade::Situation;
+use crate::params::Planner as Params;
+use crate::steer;
+
+/// The planner at work: its parameters, the lane it keeps, and what it has begun.
+#[derive(Clone, Debug)]
+pub struct Planner<'a> {
+    params: &'a Params,
+    road: &'a Road,
+    driver: Idm,
+    path: LaneChange,
+    hard: Latch,
+}
+
+impl<'a> Planner<'a> {
+    /// A planner that keeps `lane` and wants `desired_speed` [m/s].
+    pub fn new(params: &'a Params, road: &'a Road, lane: Lane, desired_speed: f64) -> Self {
+        let path = LaneChange::none(0.0, road.lane_center(lane));
+        Self {
+            params,
+            road,
+            driver: params.driver(desired_speed),
+            path,
+            hard: Latch::default(),
+        }
+    }
+
+    /// The command for the next step. `tracks` are extrapolated to `now`, `forecasts` are theirs, in the same order.
+    pub fn plan(
+        &mut self,
+        now: SimTime,
+        ego: &Body,
+        tracks: &[Track],
+        forecasts: &[Forecast],
+    ) -> Command {
+        let time = now.seconds();
+        if let Some(change) = self.evasion(ego, tracks, forecasts, time) {
+            self.path = change;
+        }
+        let required = self.hardest(ego, tracks, forecasts, time, self.params.standstill_gap).0;
+        let evading = self.evading(time);
+        let hard = self
+            .hard
+            .update(required, self.params.brake_above, self.params.release_below);
+        let follow = self.follow(ego, tracks, forecasts, time);
+        let brake = if hard { -required.min(self.params.max_decel) } else { f64::INFINITY };
+        let manoeuvre = match (evading, hard) {
+            (true, _) => Manoeuvre::Evade,
+            (false, true) => Manoeuvre::Brake,
+            (false, false) => Manoeuvre::Follow,
+        };
+        let path = self.path.at(time);
+        let curvature = steer::curvature(
+            ego,
+            self.road,
+            path,
+            self.params.lateral_gain,
+            self.params.heading_gain,
+        );
+        Command {
+            accel: if brake < follow { brake } else { follow },
+            curvature,
+            manoeuvre,
+        }
+    }
+
+    fn evading(&self, time: f64) -> bool {
+        self.path.from != self.path.to && time < self.path.end()
+    }
+
+    /// Whether `track` is in the way of the path that the planner is on.
+    fn in_the_way(&self, track: &Track, forecast: &Forecast, ego: &Body, time: f64) -> bool {
+        let reach = reach(track, ego, self.params.lateral_margin);
+        if self.evading(time) {
+            blocks_path(track, forecast, ego, &self.path, time, reach)
+        } else {
+            blocks(
+                track,
+                forecast,
+                ego,
+                self.path.to,
+                reach,
+                self.params.anticipation,
+            )
+        }
+    }
+
+    /// The evasive lane change, when not even the hardest braking avoids the contact and a lane is free.
+    fn evasion(&self, ego: &Body, tracks: &[Track], forecasts: &[Forecast], time: f64) -> Option<LaneChange> {
+        let (required, threat) = self.hardest(ego, tracks, forecasts, time, 0.0);
+        if required <= self.params.max_decel || self.evading(time) {
+            return None;
+        }
+        let situation = Situation { params: self.params, road: self.road, ego, tracks, forecasts, now: time };
+        situation.evasion(self.road.lane_at(self.path.to)?, threat?)
+    }
+
+    /// [m/s2] the largest deceleration required to end `clearance` metres behind everything in the way, and the track behind it.
+    fn hardest<'t>(
+        &self,
+        ego: &Body,
+        tracks: &'t [Track],
+        forecasts: &[Forecast],
+        time: f64,
+        clearance: f64,
+    ) -> (f64, Option<&'t Track>) {
+        let mut hardest = (0.0, None);
+        for (track, forecast) in tracks.iter().zip(forecasts) {
+            if self.in_the_way(track, forecast, ego, time) {
+                let required = required_by(track, ego, clearance);
+                if required > hardest.0 {
+                    hardest = (required, Some(track));
+                }
+            }
+        }
+        hardest
+    }
+
+    /// [m/s2] car following: the least acceleration over everything in the way, no harder than comfort allows.
+    fn follow(&self, ego: &Body, tracks: &[Track], forecasts: &[Forecast], time: f64) -> f64 {
+        let mut least = self.driver.improved_accel(ego.s_rate, None);
+        for (track, forecast) in tracks.iter().zip(forecasts) {
+            if self.in_the_way(track, forecast, ego, time) {
+                let leader = Leader {
+                    gap: (track.rear() - ego.front()).max(0.1),
+                    speed: track.s_rate.max(0.0),
+                };
+                let accel = self.driver.improved_accel(ego.s_rate, Some(leader));
+                if accel < least {
+                    least = accel;
+                }
+            }
+        }
+        least.clamp(-self.params.comfort_decel_limit, self.params.max_accel)
+    }
+}

@@ -1,0 +1,45 @@
+//! What others may do: constant velocity, constant acceleration, lane change.
+//!
+//! ```text
+//!  Track ──▶ [predictor] ──▶ Forecast, times counted from the track's own time
+//! ```
+//!
+//! Nothing is learned and nobody reacts to anybody: the three are the kinematic predictors of the field (survey: Lefèvre,
+//! Vasquez, Laugier, ROBOMECH Journal 1:1, 2014). Each gives one trajectory, which
+//! has the whole probability.
+
+mod constant;
+mod lane_change;
+
+use zhuyi_core::{Forecast, Road, Track};
+
+/// Which predictor the ego uses.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Predictor {
+    /// Speeds along and across the road stay as they are.
+    ConstantVelocity,
+    /// The acceleration along the road stays as it is, until standstill; the lateral speed stays.
+    ConstantAcceleration,
+    /// Constant acceleration along the road; a lateral speed above `threshold` is a change to the next lane on that
+    /// side, at that speed and then held; below it the actor keeps its offset.
+    LaneChange {
+        /// [m/s] lateral speed that counts as the beginning of a lane change.
+        threshold: f64,
+    },
+}
+
+impl Predictor {
+    /// The forecast for one track. Times of its pieces count from the track's `time`.
+    pub fn forecast(self, track: &Track, road: &Road) -> Forecast {
+        let trajectory = match self {
+            Self::ConstantVelocity => constant::trajectory(track, 0.0),
+            Self::ConstantAcceleration => constant::trajectory(track, track.s_accel),
+            Self::LaneChange { threshold } => lane_change::trajectory(track, road, threshold),
+        };
+        Forecast {
+            actor: track.actor,
+            footprint: track.footprint,
+            trajectories: vec![(1.0, trajectory)],
+        }
+    }
+}

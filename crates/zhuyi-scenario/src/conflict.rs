@@ -1,0 +1,114 @@
+//! Rules between values that are each allowed alone.
+
+use zhuyi_core::RoadError;
+
+/// Values that contradict each other.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Conflict {
+    /// Two actors or two cameras of one name.
+    #[error("two {what}s are called `{name}`")]
+    SameName {
+        /// Actor or camera.
+        what: &'static str,
+        /// The name.
+        name: String,
+    },
+    /// The name of an actor or camera that a path cannot hold.
+    #[error("a name is made of letters, digits, `_` and `-` and begins with a letter, got `{0}`")]
+    Name(String),
+    /// An actor that is called like the ego.
+    #[error("the name `ego` belongs to the ego")]
+    NamedEgo,
+    /// The road's own rules.
+    #[error(transparent)]
+    Road(#[from] RoadError),
+    /// A start off the end of the road.
+    #[error("`{name}` would stand from {rear:.2} to {front:.2} m of a road of {length} m")]
+    OffRoad {
+        /// Who.
+        name: String,
+        /// [m] its rear bumper.
+        rear: f64,
+        /// [m] its front bumper.
+        front: f64,
+        /// [m] length of the road.
+        length: f64,
+    },
+    /// Two boxes in one place at the start.
+    #[error(
+        "`{name}` and `{other}` would overlap at the start by {along:.2} m along and {across:.2} m across the road"
+    )]
+    Overlap {
+        /// Who.
+        name: String,
+        /// With whom.
+        other: String,
+        /// [m] overlap along the road.
+        along: f64,
+        /// [m] overlap across the road.
+        across: f64,
+    },
+    /// An obstacle with a speed.
+    #[error("an obstacle stands still, got {speed} m/s")]
+    MovingObstacle {
+        /// [m/s] its speed.
+        speed: f64,
+    },
+    /// An obstacle with something to do.
+    #[error("an obstacle stands still: it has no manoeuvres")]
+    ObstacleManoeuvres,
+    /// A follower that starts at rest without a speed to reach.
+    #[error("a follower that starts at rest needs a desired speed")]
+    NoDesiredSpeed,
+    /// An actor that is to hold a position that nothing gives.
+    #[error("`offset_m` may be left out only by an actor that starts `Beside` the ego")]
+    NoOffset,
+    /// A distance between an actor and itself.
+    #[error("an actor has no distance to itself")]
+    OwnDistance,
+    /// A distance to the ego by the wrong name.
+    #[error("for the distance to the ego use `GapToEgo(gap_m: ..)`")]
+    DistanceToEgo,
+    /// A lane change to the same lane.
+    #[error("the actor is in lane {lane} already")]
+    SameLane {
+        /// The lane.
+        lane: u8,
+    },
+    /// A time that the manoeuvre before it rules out.
+    #[error("manoeuvres begin in order, but {at} s comes before {before} s")]
+    TimeOrder {
+        /// [s] this time.
+        at: f64,
+        /// [s] time of an earlier manoeuvre.
+        before: f64,
+    },
+    /// A time that does not come.
+    #[error("the run ends at {end} s, before {at} s")]
+    AfterEnd {
+        /// [s] this time.
+        at: f64,
+        /// [s] the duration.
+        end: f64,
+    },
+    /// A number that must not exceed another.
+    #[error("`{name}` must be at most `{bound}`, got {got} and {limit}")]
+    Exceeds {
+        /// The number's field.
+        name: &'static str,
+        /// The other's field.
+        bound: &'static str,
+        /// The number.
+        got: f64,
+        /// The other.
+        limit: f64,
+    },
+    /// A camera mounted off the vehicle.
+    #[error("a camera is mounted on the vehicle, at most {limit} m from its centre, got {got}")]
+    Mount {
+        /// [m] half the length or width of the box.
+        limit: f64,
+        /// [m] the mount.
+        got: f64,
+    },
+}

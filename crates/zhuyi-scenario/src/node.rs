@@ -1,0 +1,281 @@
+//! A value that knows where it stands, and what can be read from it.
+//!
+//! Every reader reports what is wrong and gives `None`; its caller goes on with what stands beside it.
+
+use crate::fields::Fields;
+use crate::invalid::{Rule, Violation};
+use crate::limits::Limits;
+use crate::reading::{Reading, join};
+use crate::source::Source;
+use crate::syntax::{self, Parts};
+use serde::de::Deserialize;
+use std::ops::{Range, RangeInclusive};
+
+/// A value, where it stands, and the path that leads to it.
+#[derive(Clone)]
+pub(crate) struct Node<'a> {
+    reading: &'a Reading<'a>,
+    source: &'a Source,
+    value: &'a str,
+    path: String,
+}
+
+/// Names of variants, each with what reads its fields.
+pub(crate) type Variants<'a, 'b, T> = &'b [(&'static str, &'b dyn Fn(&Fields<'a>) -> Option<T>)];
+
+impl<'a> Node<'a> {
+    pub(crate) fn new(
+        reading: &'a Reading<'a>,
+        source: &'a Source,
+        value: &'a str,
+        path: String,
+    ) -> Self {
+        Self {
+            reading,
+            source,
+            value,
+            path,
+        }
+    }
+
+    /// Whether both stand in the same text.
+    pub(crate) fn is_beside(&self, other: &Node) -> bool {
+        self.source == other.source
+    }
+
+    /// What a caret marks: the value, or the first word or bracket of one of many lines.
+    fn mark(&self) -> Range<usize> {
+        if self.value.contains('\n') {
+            self.head()
+        } else {
+            self.source.span_of(self.value)
+        }
+    }
+
+    /// Its first word or bracket.
+    fn head(&self) -> Range<usize> {
+        let is_end = |c: char| !c.is_alphanumeric() && c != '_';
+        let end = self
+            .value
+            .char_indices()
+            .find(|(index, c)| *index > 0 && is_end(*c))
+            .map_or(1, |(end, _)| end);
+        self.source
+            .span_of(self.value.get(..end).unwrap_or(self.value))
+    }
+
+    /// Reports that it breaks a rule.
+    pub(crate) fn refuse(&self, rule: impl Into<Rule>) {
+        self.report(self.mark(), rule.into());
+    }
+
+    /// Reports that it breaks a rule together with another value.
+    pub(crate) fn refuse_beside(&self, rule: impl Into<Rule>, other: &Node) {
+        let violation = Violation::new(self.source, self.mark(), rule.into());
+        self.reading
+            .report(violation.beside(other.source, other.mark(), "the other one"));
+    }
+
+    /// Reports that something about it as a whole breaks a rule.
+    pub(crate) fn refuse_whole(&self, rule: impl Into<Rule>) {
+        self.report(self.head(), rule.into());
+    }
+
+    /// Reports that the name of one of its fields breaks a rule.
+    pub(crate) fn refuse_key(&self, key: &str, rule: Rule) {
+        self.report(self.source.span_of(key), rule);
+    }
+
+    /// Reports that one of its fields is given again.
+    pub(crate) fn refuse_again(&self, key: &str, first: &str) {
+        let violation = Violation::new(
+            self.source,
+            self.source.span_of(key),
+            Rule::Twice {
+                name: key.to_string(),
+            },
+        );
+        self.reading.report(violation.beside(
+            self.source,
+            self.source.span_of(first),
+            "first given here",
+        ));
+    }
+
+    fn report(&self, span: Range<usize>, rule: Rule) {
+        self.reading.report(Violation::new(self.source, span, rule));
+    }
+
+    /// Reports that it is not what was expected, and gives up on what it holds.
+    fn mismatch<T>(&self, expected: &'static str) -> Option<T> {
+        self.refuse(Rule::Shape {
+            expected,
+            got: syntax::excerpt(self.value),
+        });
+        self.reading.give_up(&self.path);
+        None
+    }
+
+    fn parse<T: Deserialize<'a>>(&self, expected: &'static str) -> Option<T> {
+        ron::from_str(self.value)
+            .ok()
+            .or_else(|| self.mismatch(expected))
+    }
+
+    /// Reports a number that lies outside its range.
+    fn out_of<T>(&self, limits: String, got: String) -> Option<T> {
+        let name = self
+            .path
+            .rsplit('.')
+            .next()
+            .unwrap_or(&self.path)
+            .to_string();
+        self.refuse(Rule::Range { name, limits, got });
+        None
+    }
+
+    /// Its number, within limits.
+    pub(crate) fn number(&self, limits: Limits) -> Option<f64> {
+        let number: f64 = self.parse("a number")?;
+        // Adding 0 makes 0 of -0, a sign that nobody could see.
+        if limits.contain(number) {
+            Some(number + 0.0)
+        } else {
+            self.out_of(limits.to_string(), number.to_string())
+        }
+    }
+
+    /// [m/s] its number of miles per hour, within limits in metres per second.
+    pub(crate) fn miles_per_hour(&self, limits: Limits) -> Option<f64> {
+        /// [m/s] one mile per hour, exactly.
+        const MILE_PER_HOUR: f64 = 0.447_04;
+        let number: f64 = self.parse("a number")?;
+        let speed = number * MILE_PER_HOUR;
+        if limits.contain(speed) {
+            Some(speed + 0.0)
+        } else {
+            self.out_of(
+                format!("{limits} m/s"),
+                format!("{number} mph ({speed:.3} m/s)"),
+            )
+        }
+    }
+
+    /// Its whole number, within limits.
+    pub(crate) fn whole(&self, limits: RangeInclusive<u32>) -> Option<u32> {
+        let number: i64 = self.parse("a whole number")?;
+        let within = u32::try_from(number)
+            .ok()
+            .filter(|number| limits.contains(number));
+        within.or_else(|| {
+            self.out_of(
+                format!("{} to {}", limits.start(), limits.end()),
+                number.to_string(),
+            )
+        })
+    }
+
+    /// Its text.
+    pub(crate) fn text(&self) -> Option<String> {
+        self.parse("a text in double quotes")
+    }
+
+    /// Its text, of one line that is not empty.
+    pub(crate) fn line(&self) -> Option<String> {
+        let is_line = |text: &String| !text.trim().is_empty() && !text.contains(char::is_control);
+        self.text().and_then(|text| {
+            if is_line(&text) {
+                Some(text)
+            } else {
+                self.mismatch("one line of text")
+            }
+        })
+    }
+
+    /// Its truth value.
+    pub(crate) fn truth(&self) -> Option<bool> {
+        self.parse("`true` or `false`")
+    }
+
+    /// The entries of a list, each found under its place, or under its `name` where it has one.
+    pub(crate) fn list(&self, limits: RangeInclusive<usize>) -> Option<Vec<Node<'a>>> {
+        let entries = syntax::entries(self.value).or_else(|| self.mismatch("a list `[..]`"))?;
+        if !limits.contains(&entries.len()) {
+            self.reading.give_up(&self.path);
+            return self.out_of(
+                format!("{} to {} entries", limits.start(), limits.end()),
+                entries.len().to_string(),
+            );
+        }
+        let nodes = entries
+            .into_iter()
+            .enumerate()
+            .filter_map(|(index, entry)| {
+                let name = Parts::of(entry)
+                    .and_then(|parts| parts.own_name())
+                    .unwrap_or_else(|| index.to_string());
+                self.reading
+                    .look_up(join(&self.path, &name), self.source, Some(entry))
+            });
+        Some(nodes.collect())
+    }
+
+    /// Whether the variant of this name stands here.
+    pub(crate) fn is(&self, variant: &str) -> bool {
+        Parts::of(self.value).is_some_and(|parts| parts.name == Some(variant))
+    }
+
+    /// The text of its field `name`.
+    pub(crate) fn own_name(&self) -> Option<String> {
+        Parts::of(self.value)?.own_name()
+    }
+
+    /// A field of the struct that stands here, if the file or a setting has it.
+    pub(crate) fn field(&self, name: &str) -> Option<Node<'a>> {
+        self.below(
+            name,
+            Parts::of(self.value).and_then(|parts| parts.field(name)),
+        )
+    }
+
+    /// What stands at a name below: a setting's value, or else this one.
+    pub(crate) fn below(&self, name: &str, value: Option<&'a str>) -> Option<Node<'a>> {
+        self.reading
+            .look_up(join(&self.path, name), self.source, value)
+    }
+
+    /// What `read` makes of the fields of this struct, which may carry its name: `(..)` or `Name(..)`.
+    pub(crate) fn structure<T>(
+        &self,
+        name: &'static str,
+        read: impl FnOnce(&Fields<'a>) -> Option<T>,
+    ) -> Option<T> {
+        match Parts::of(self.value) {
+            Some(parts) if parts.name.is_none_or(|own| own == name) => {
+                Fields::read(self, name, parts, read)
+            }
+            _ => self.mismatch("fields in brackets `(name: value, ..)`"),
+        }
+    }
+
+    /// What the reader of the variant that stands here makes of its fields.
+    pub(crate) fn variant<T>(
+        &self,
+        what: &'static str,
+        variants: Variants<'a, '_, T>,
+    ) -> Option<T> {
+        let parts = Parts::of(self.value);
+        let name = parts.as_ref().and_then(|parts| parts.name);
+        if let Some((name, read)) = variants.iter().find(|(known, _)| Some(*known) == name) {
+            return Fields::read(self, name, parts?, read);
+        }
+        let got = name.map_or_else(|| syntax::excerpt(self.value), ToString::to_string);
+        self.refuse_whole(Rule::unknown(
+            what,
+            &got,
+            variants.iter().map(|(known, _)| *known),
+        ));
+        self.reading.give_up(&self.path);
+        None
+    }
+}

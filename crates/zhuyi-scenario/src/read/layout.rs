@@ -1,0 +1,96 @@
+//! Where everything stands at the start: on the road, and nothing inside anything else.
+//!
+//! Boxes are compared along and across the road, in which all of them are aligned at the start.
+
+use crate::conflict::Conflict;
+use crate::model::EgoStart;
+use crate::node::Node;
+use zhuyi_core::{Footprint, Road};
+use zhuyi_world::script::{Actor, Place};
+
+/// A box on the road with what errors call it by.
+struct Standing<'a, 'n> {
+    name: &'n str,
+    /// [m] centre along the road.
+    s: f64,
+    /// [m] centre across it.
+    d: f64,
+    footprint: Footprint,
+    /// What errors point at.
+    node: Node<'a>,
+}
+
+/// Checks the ego's start and those of the actors that could be read, whose nodes stand in the same order.
+pub(super) fn check_start(
+    road: &Road,
+    ego: (Footprint, EgoStart, &Node),
+    actors: &[Option<Actor>],
+    nodes: &[Node],
+) {
+    let (footprint, start, node) = ego;
+    let mut standing = vec![Standing {
+        name: "ego",
+        s: start.s,
+        d: road.lane_center(start.lane),
+        footprint,
+        node: node.clone(),
+    }];
+    for (actor, node) in actors.iter().zip(nodes) {
+        let Some(actor) = actor else { continue };
+        let node = node.field("start").unwrap_or_else(|| node.clone());
+        let s = centre(actor, start.s, footprint);
+        let d = road.lane_center(actor.start.lane);
+        standing.push(Standing {
+            name: &actor.name,
+            s,
+            d,
+            footprint: actor.footprint,
+            node,
+        });
+    }
+    for (index, one) in standing.iter().enumerate() {
+        let (rear, front) = (
+            one.s - one.footprint.length / 2.0,
+            one.s + one.footprint.length / 2.0,
+        );
+        if rear < 0.0 || front > road.length() {
+            let (name, length) = (one.name.to_string(), road.length());
+            one.node.refuse(Conflict::OffRoad {
+                name,
+                rear,
+                front,
+                length,
+            });
+        }
+        for other in &standing[..index] {
+            check_apart(one, other);
+        }
+    }
+}
+
+/// [m] the centre of an actor, given the ego's.
+fn centre(actor: &Actor, ego: f64, footprint: Footprint) -> f64 {
+    let halves = f64::midpoint(actor.footprint.length, footprint.length);
+    match actor.start.along {
+        Place::Ahead(gap) => ego + gap + halves,
+        Place::Behind(gap) => ego - gap - halves,
+        Place::Beside(offset) => ego + offset,
+        Place::At(s) => s,
+    }
+}
+
+fn check_apart(one: &Standing, other: &Standing) {
+    let along =
+        f64::midpoint(one.footprint.length, other.footprint.length) - (one.s - other.s).abs();
+    let across =
+        f64::midpoint(one.footprint.width, other.footprint.width) - (one.d - other.d).abs();
+    if along > 0.0 && across > 0.0 {
+        let rule = Conflict::Overlap {
+            name: one.name.to_string(),
+            other: other.name.to_string(),
+            along,
+            across,
+        };
+        one.node.refuse_beside(rule, &other.node);
+    }
+}

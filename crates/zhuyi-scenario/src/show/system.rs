@@ -1,0 +1,204 @@
+//! A system as its file.
+
+use super::{degrees, number_for, value::Value};
+use crate::model::{Jitter, System};
+use Value::{List, Number, Struct, Text, Truth, Variant, Whole};
+use zhuyi_estimator::{Aggregation, Criterion, Grid, Solver};
+use zhuyi_perception::Eye;
+use zhuyi_planner::PlannerParams;
+use zhuyi_prediction::Predictor;
+use zhuyi_world::Vehicle;
+
+pub(super) fn system(system: &System) -> Value {
+    let Jitter { position, speed } = system.jitter;
+    Struct(vec![
+        ("vehicle", vehicle(&system.vehicle)),
+        ("perception", perception(system)),
+        ("prediction", prediction(system.predictor)),
+        ("planner", planner(&system.planner)),
+        ("estimator", estimator(system)),
+        (
+            "jitter",
+            Struct(vec![
+                ("position_m", Number(position)),
+                ("speed_mps", Number(speed)),
+            ]),
+        ),
+    ])
+}
+
+fn vehicle(vehicle: &Vehicle) -> Value {
+    Struct(vec![
+        ("length_m", Number(vehicle.footprint.length)),
+        ("width_m", Number(vehicle.footprint.width)),
+        ("mass_kg", Number(vehicle.mass)),
+        ("wheelbase_m", Number(vehicle.wheelbase)),
+        ("accel_lag_s", Number(vehicle.accel_lag)),
+        ("max_jerk_mps3", Number(vehicle.max_jerk)),
+        ("max_accel_mps2", Number(vehicle.max_accel)),
+        ("max_decel_mps2", Number(vehicle.max_decel)),
+        ("friction", Number(vehicle.friction)),
+        ("steering_lag_s", Number(vehicle.steering_lag)),
+        ("max_steering_deg", degrees(vehicle.max_steering)),
+        (
+            "max_steering_rate_degps",
+            degrees(vehicle.max_steering_rate),
+        ),
+    ])
+}
+
+fn perception(system: &System) -> Value {
+    let perception = &system.perception;
+    let cameras = perception
+        .eyes
+        .iter()
+        .zip(system.default_rates.all())
+        .map(|(eye, rate)| camera(eye, *rate));
+    // Each camera tells its own below; this one would be for those that do not.
+    let confirm_frames = perception
+        .eyes
+        .first()
+        .map(|eye| ("confirm_frames", Whole(eye.confirm_frames)));
+    let shared = [
+        ("visible_share", Number(perception.visible_share)),
+        ("noise_along_m", Number(perception.noise_along)),
+        ("noise_across_m", Number(perception.noise_across)),
+        ("noise_speed_mps", Number(perception.noise_speed)),
+        ("miss_rate", Number(perception.miss_rate)),
+        ("lost_frames", Whole(perception.lost_frames)),
+        (
+            "jerk_density_along_m2ps5",
+            Number(perception.jerk_density_along),
+        ),
+        (
+            "jerk_density_across_m2ps5",
+            Number(perception.jerk_density_across),
+        ),
+    ];
+    Struct(
+        [("cameras", List(cameras.collect()))]
+            .into_iter()
+            .chain(confirm_frames)
+            .chain(shared)
+            .collect(),
+    )
+}
+
+fn camera(
+    Eye {
+        camera,
+        latency,
+        confirm_frames,
+    }: &Eye,
+    rate: f64,
+) -> Value {
+    Struct(vec![
+        ("name", Text(camera.name.clone())),
+        ("forward_m", Number(camera.forward)),
+        ("left_m", Number(camera.left)),
+        ("yaw_deg", degrees(camera.yaw)),
+        ("fov_deg", degrees(camera.fov)),
+        ("range_m", Number(camera.range)),
+        ("rate_hz", Number(rate)),
+        (
+            "latency",
+            match *latency {
+                None => Variant("FramePeriod", Vec::new()),
+                Some(latency) => Variant(
+                    "Fixed",
+                    vec![(
+                        "latency_ms",
+                        number_for(latency, latency * 1e3, |ms| ms / 1e3),
+                    )],
+                ),
+            },
+        ),
+        ("confirm_frames", Whole(*confirm_frames)),
+        ("analysed", Truth(camera.analysed)),
+    ])
+}
+
+fn prediction(predictor: Predictor) -> Value {
+    match predictor {
+        Predictor::ConstantVelocity => Variant("ConstantVelocity", Vec::new()),
+        Predictor::ConstantAcceleration => Variant("ConstantAcceleration", Vec::new()),
+        Predictor::LaneChange { threshold } => {
+            Variant("LaneChange", vec![("threshold_mps", Number(threshold))])
+        }
+    }
+}
+
+fn planner(planner: &PlannerParams) -> Value {
+    Struct(vec![
+        ("time_headway_s", Number(planner.time_headway)),
+        ("min_gap_m", Number(planner.min_gap)),
+        ("max_accel_mps2", Number(planner.max_accel)),
+        ("comfortable_decel_mps2", Number(planner.comfortable_decel)),
+        ("exponent", Number(planner.exponent)),
+        (
+            "comfort_decel_limit_mps2",
+            Number(planner.comfort_decel_limit),
+        ),
+        ("brake_above_mps2", Number(planner.brake_above)),
+        ("release_below_mps2", Number(planner.release_below)),
+        ("max_decel_mps2", Number(planner.max_decel)),
+        ("standstill_gap_m", Number(planner.standstill_gap)),
+        ("anticipation_s", Number(planner.anticipation)),
+        ("lateral_margin_m", Number(planner.lateral_margin)),
+        (
+            "evasion_lateral_accel_mps2",
+            Number(planner.evasion_lateral_accel),
+        ),
+        ("safe_decel_mps2", Number(planner.safe_decel)),
+        ("lateral_gain_per_s2", Number(planner.lateral_gain)),
+        ("heading_gain_per_s", Number(planner.heading_gain)),
+    ])
+}
+
+fn estimator(system: &System) -> Value {
+    let params = &system.estimator;
+    let name = |name| Variant(name, Vec::new());
+    Struct(vec![
+        ("c1", Number(params.c1)),
+        ("c2", Number(params.c2)),
+        ("c3_mps2", Number(params.c3)),
+        ("c4", Number(params.c4)),
+        ("confirm_frames", Whole(params.confirm_frames)),
+        ("max_steps", Whole(params.max_steps)),
+        ("horizon_s", Number(params.horizon)),
+        ("lateral_margin_m", Number(params.lateral_margin)),
+        (
+            "grid",
+            name(match params.grid {
+                Grid::Ms33 => "Ms33",
+                Grid::Thirtieths => "Thirtieths",
+                Grid::Fps => "Fps",
+            }),
+        ),
+        (
+            "solver",
+            name(match params.solver {
+                Solver::Exact => "Exact",
+                Solver::Paper => "Paper",
+            }),
+        ),
+        (
+            "criterion",
+            name(match params.criterion {
+                Criterion::Paper => "Paper",
+                Criterion::Standstill => "Standstill",
+            }),
+        ),
+        (
+            "aggregation",
+            match params.aggregation {
+                Aggregation::Percentile(share) => {
+                    Variant("Percentile", vec![("share", Number(share))])
+                }
+                Aggregation::Worst => name("Worst"),
+                Aggregation::Mean => name("Mean"),
+            },
+        ),
+        ("assumed_latency_s", Number(system.assumed_latency)),
+    ])
+}

@@ -1,0 +1,184 @@
+//! Text with a name: a file, or the argument of `--set`.
+
+use crate::invalid::{Invalid, Rule, Violation};
+use crate::syntax::{self, Parts};
+use std::ffi::OsStr;
+use std::ops::Range;
+use std::path::Path;
+use std::sync::Arc;
+
+/// A text to be read and the name that errors call it by. Cheap to clone.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Source(Arc<Inner>);
+
+#[derive(Debug, PartialEq, Eq)]
+struct Inner {
+    name: String,
+    text: String,
+}
+
+impl Source {
+    /// A source. A line end is added where the last line has none, so that a comment may stand there.
+    pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
+        let (name, mut text) = (name.into(), text.into());
+        if !text.ends_with('\n') {
+            text.push('\n');
+        }
+        Self(Arc::new(Inner { name, text }))
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.0.name
+    }
+
+    /// Its name without folder and ending.
+    pub fn stem(&self) -> &str {
+        Path::new(self.name())
+            .file_stem()
+            .and_then(OsStr::to_str)
+            .unwrap_or(self.name())
+    }
+
+    /// Its text.
+    pub fn text(&self) -> &str {
+        &self.0.text
+    }
+
+    /// Where `part`, a slice of this text, stands in it.
+    pub(crate) fn span_of(&self, part: &str) -> Range<usize> {
+        let start = part
+            .as_ptr()
+            .addr()
+            .saturating_sub(self.text().as_ptr().addr())
+            .min(self.text().len());
+        start..(start + part.len()).min(self.text().len())
+    }
+
+    /// Line and column, from 1, of a byte; the column counts characters.
+    pub fn line_column(&self, byte: usize) -> (usize, usize) {
+        let before = self.text().get(..byte).unwrap_or(self.text());
+        let line_start = before.rfind('\n').map_or(0, |end| end + 1);
+        (
+            before.matches('\n').count() + 1,
+            before[line_start..].chars().count() + 1,
+        )
+    }
+}
+
+/// One of the two kinds of file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Road, ego's start, actors.
+    Scenario,
+    /// The ego's hardware and software.
+    System,
+}
+
+impl Kind {
+    /// What a source looks like: a system when any of its fields is one of a system's.
+    pub fn of(source: &Source) -> Self {
+        let parts = syntax::root(source, 0).ok().and_then(Parts::of);
+        let is_system = parts.is_some_and(|parts| {
+            parts
+                .fields
+                .iter()
+                .any(|(key, _)| SYSTEM_FIELDS.contains(key))
+        });
+        if is_system {
+            Self::System
+        } else {
+            Self::Scenario
+        }
+    }
+}
+
+/// Names of the fields at the top of a scenario file. No system file has any of them.
+pub(crate) const SCENARIO_FIELDS: [&str; 5] = ["title", "road", "ego", "duration_s", "actors"];
+/// Names of the fields at the top of a system file.
+pub(crate) const SYSTEM_FIELDS: [&str; 6] = [
+    "vehicle",
+    "perception",
+    "prediction",
+    "planner",
+    "estimator",
+    "jitter",
+];
+
+/// `path=value`: one value of a scenario or system file given elsewhere, as by `--set planner.time_headway_s=1.2`.
+///
+/// The path names fields from the top of the file, separated by dots; an actor or camera by its name, an entry of
+/// another list by its place from 0, and the fields of a variant like those of its field:
+/// `actors.lead.manoeuvres.0.then.duration_s`. The value is RON and passes the same checks as one in the file.
+///
+/// ```
+/// use zhuyi_scenario::{Kind, Setting};
+/// assert_eq!(Setting::parse("actors.lead.speed_mps=12")?.kind(), Kind::Scenario);
+/// assert_eq!(Setting::parse("planner.min_gap_m=3")?.kind(), Kind::System);
+/// assert!(Setting::parse("planer.min_gap_m=3").is_err());
+/// # Ok::<(), zhuyi_scenario::Invalid>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Setting {
+    source: Source,
+    path: Range<usize>,
+    value: Range<usize>,
+    kind: Kind,
+}
+
+impl Setting {
+    /// The name that errors call it by.
+    const SOURCE: &str = "--set";
+
+    /// A setting from `path=value`.
+    ///
+    /// # Errors
+    /// When there is no `=`, the path belongs to neither kind of file, or the value is no RON.
+    pub fn parse(argument: &str) -> Result<Self, Invalid> {
+        let source = Source::new(Self::SOURCE, argument);
+        let text = source.text();
+        let Some(equals) = text.find('=') else {
+            return Err(Violation::new(&source, 0..argument.len(), Rule::NoEquals).into());
+        };
+        let path = source.span_of(text[..equals].trim());
+        let value = source.span_of(syntax::root(&source, equals + 1)?);
+        let top = &text[path.start..path.end];
+        let top = top.split_once('.').map_or(top, |(top, _)| top);
+        let kind = if SCENARIO_FIELDS.contains(&top) {
+            Kind::Scenario
+        } else if SYSTEM_FIELDS.contains(&top) {
+            Kind::System
+        } else {
+            let known = SCENARIO_FIELDS.into_iter().chain(SYSTEM_FIELDS);
+            let rule = Rule::unknown("setting", top, known);
+            return Err(Violation::new(&source, path.start..path.start + top.len(), rule).into());
+        };
+        Ok(Self {
+            source,
+            path,
+            value,
+            kind,
+        })
+    }
+
+    /// Which kind of file it belongs to.
+    pub fn kind(&self) -> Kind {
+        self.kind
+    }
+
+    pub(crate) fn source(&self) -> &Source {
+        &self.source
+    }
+
+    pub(crate) fn path(&self) -> &str {
+        &self.source.text()[self.path.clone()]
+    }
+
+    pub(crate) fn value(&self) -> &str {
+        &self.source.text()[self.value.clone()]
+    }
+
+    pub(crate) fn path_span(&self) -> Range<usize> {
+        self.path.clone()
+    }
+}

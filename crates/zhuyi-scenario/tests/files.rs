@@ -1,0 +1,114 @@
+//! The files that come with the program: they pass, and what is shown of them reads back as the equal value.
+
+use zhuyi_scenario::{Kind, Scenario, Setting, Source, System, embedded, load};
+use zhuyi_world::script::Place;
+
+fn default_system() -> System {
+    System::read(&Source::new("default.ron", embedded::system()), &[]).unwrap()
+}
+
+fn scenario(name: &str) -> Scenario {
+    let text = embedded::scenario(name).unwrap();
+    Scenario::read(&Source::new(format!("scenarios/{name}.ron"), text), &default_system(), &[]).unwrap()
+}
+
+#[test]
+fn embedded_files_pass_and_are_named_after_their_files() {
+    for name in embedded::names() {
+        assert_eq!(scenario(name).name, name);
+        assert_eq!(Kind::of(&Source::new(name, embedded::scenario(name).unwrap())), Kind::Scenario);
+    }
+    assert_eq!(Kind::of(&Source::new("default.ron", embedded::system())), Kind::System);
+    assert_eq!(embedded::scenario("cut-off"), None);
+}
+
+#[test]
+fn first_comment_tells_the_row_of_the_table() {
+    for name in embedded::names() {
+        let text = embedded::scenario(name).unwrap();
+        assert!(text.starts_with(&format!("// Row \"{name}\" of the paper's table")), "{name}");
+    }
+}
+
+#[test]
+fn template_passes() {
+    let source = Source::new("new.ron", embedded::template());
+    Scenario::read(&source, &default_system(), &[]).unwrap();
+}
+
+#[test]
+fn law_shown_reads_back_equal() {
+    let system = default_system();
+    let shown = Source::new("default.ron", system.to_ron());
+    assert_eq!(System::read(&shown, &[]).unwrap(), system);
+    for name in embedded::names() {
+        let scenario = scenario(name);
+        let shown = Source::new(format!("{name}.ron"), scenario.to_ron());
+        assert_eq!(Scenario::read(&shown, &system, &[]).unwrap(), scenario);
+        assert_eq!(shown.text(), scenario.to_ron(), "shown twice, {name}");
+    }
+}
+
+/// Everything that the embedded files leave out.
+const EVERYTHING: &str = r#"(
+    title: "Quotes \" and \\ and ü",
+    road: (lanes: 4, lane_width_m: 3.25, segments: [
+        Line(length_m: 1000), Arc(length_m: 200, radius_m: -333.3), Clothoid(length_m: 50, start_curvature_per_m: -0.003, end_curvature_per_m: 0.01),
+    ]),
+    ego: (lane: 2, s_m: 200.1, speed_mph: 33.3),
+    duration_s: 12.3456789,
+    actors: [
+        (name: "truck", body: Truck, lane: 1, start: At(s_m: 150), speed_mph: 30, behaviour: Follow(desired_speed_mph: 45, exponent: 3)),
+        (name: "bike", body: Box(length_m: 1.8, width_m: 0.6, mass_kg: 90), lane: 4, start: Behind(gap_m: 7.7), relative_mph: 3.3,
+         manoeuvres: [
+            (when: Time(at_s: 0), then: ReachSpeed(speed_mph: 17.7, accel_mps2: 0.7)),
+            (when: TimeToCollision(time_s: 2.2), then: Behave(behaviour: Follow(min_gap_m: 1.1))),
+            (when: DistanceTo(actor: "beside", distance_m: 3), then: Behave(behaviour: HoldBeside(offset_m: -3))),
+            (when: Time(at_s: 9), then: Behave(behaviour: Cruise)),
+            (when: GapToEgo(gap_m: 0), then: Brake(decel_mps2: 7)),
+         ]),
+        (name: "beside", lane: 3, start: Beside(offset_m: -1.1), relative_mps: 0, behaviour: HoldBeside(max_decel_mps2: 5)),
+    ],
+)"#;
+
+#[test]
+fn law_shown_reads_back_equal_with_every_variant_and_odd_numbers() {
+    let arguments = [
+        "prediction=ConstantAcceleration",
+        "estimator.aggregation=Worst",
+        "estimator.grid=Fps",
+        "estimator.solver=Paper",
+        "estimator.criterion=Standstill",
+        "estimator.assumed_rate_hz=7.3",
+        "perception.cameras.left.latency=Fixed(latency_ms: 33.3)",
+        "perception.cameras.left.fov_deg=99.9",
+        "perception.cameras.right.confirm_frames=3",
+        "perception.cameras.rear.rate_hz=12.5",
+        "vehicle.max_steering_deg=33.3",
+    ];
+    let settings = arguments.map(|argument| Setting::parse(argument).unwrap());
+    let (scenario, system) =
+        load(&Source::new("all.ron", EVERYTHING), &Source::new("default.ron", embedded::system()), &settings).unwrap();
+    let shown = (Source::new("all.ron", scenario.to_ron()), Source::new("default.ron", system.to_ron()));
+    assert_eq!(load(&shown.0, &shown.1, &[]).unwrap(), (scenario, system));
+    // Angles and radii come back as typed, not as 33.29999999999999.
+    for typed in ["max_steering_deg: 33.3,", "fov_deg: 99.9,", "latency_ms: 33.3)", "radius_m: -333.3)", "12.3456789,"] {
+        assert!(shown.0.text().contains(typed) || shown.1.text().contains(typed), "{typed}");
+    }
+}
+
+#[test]
+fn hand_steady_start_is_the_gap_of_the_planner() {
+    // s0 + T v = 3 m + 2 s * 17.8816 m/s.
+    let settings = ["planner.min_gap_m=3", "planner.time_headway_s=2"].map(|argument| Setting::parse(argument).unwrap());
+    let cut_out = Source::new("cut-out-fast.ron", embedded::scenario("cut-out-fast").unwrap());
+    let (scenario, _) = load(&cut_out, &Source::new("default.ron", embedded::system()), &settings).unwrap();
+    let lead = scenario.actors.iter().find(|actor| actor.name == "lead").unwrap();
+    let Place::Ahead(gap) = lead.start.along else { panic!("{:?}", lead.start) };
+    assert!((gap - 38.7632).abs() < 1e-12, "{gap}");
+}
+
+#[test]
+fn hand_forty_miles_per_hour() {
+    assert!((scenario("cut-out-fast").ego.speed - 17.8816).abs() < 1e-12);
+}

@@ -1,0 +1,104 @@
+//! No input makes a reader panic, and none is refused without a reason.
+
+use proptest::prelude::*;
+use zhuyi_scenario::{Invalid, Scenario, Setting, Source, System, embedded};
+
+fn default_system() -> System {
+    System::read(&Source::new("default.ron", embedded::system()), &[]).unwrap()
+}
+
+/// What is wrong with a text as a scenario and as a system; every refusal has reasons and can be drawn.
+fn read(text: &str) -> [Option<Invalid>; 2] {
+    let source = Source::new("fuzzed.ron", text);
+    let refusals = [Scenario::read(&source, &default_system(), &[]).err(), System::read(&source, &[]).err()];
+    for invalid in refusals.iter().flatten() {
+        assert!(!invalid.violations().is_empty());
+        assert!(invalid.render(true).contains("fuzzed.ron"));
+    }
+    refusals
+}
+
+/// The nine scenarios and the system.
+fn files() -> Vec<&'static str> {
+    embedded::names().filter_map(embedded::scenario).chain([embedded::system()]).collect()
+}
+
+/// What a mutation puts in.
+const SNIPPETS: [&str; 24] = [
+    "(", ")", "[", "]", "{", "}", ",", ":", "\"", "/*", "//", "NaN", "-inf", "1e999", "-1", "0", "1..2", "Some(", "()", "é\u{301}",
+    "\0", "r#", "#![enable(unwrap_newtypes)]", "b\"x\"",
+];
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 2_000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn law_mutated_files_never_panic(
+        file in 0_usize..10,
+        mutations in prop::collection::vec((any::<prop::sample::Index>(), 0_usize..12, 0_usize..SNIPPETS.len()), 1..6),
+    ) {
+        let mut text: Vec<char> = files()[file].chars().collect();
+        for (at, removed, snippet) in mutations {
+            let at = at.index(text.len() + 1);
+            let end = (at + removed).min(text.len());
+            text.splice(at..end, SNIPPETS[snippet].chars());
+        }
+        read(&text.into_iter().collect::<String>());
+    }
+
+    #[test]
+    fn law_settings_never_panic(path in "[a-z_.0-9]{0,30}", value in ".{0,20}") {
+        if let Ok(setting) = Setting::parse(&format!("{path}={value}")) {
+            let _ = System::read(&Source::new("default.ron", embedded::system()), &[setting]);
+        }
+    }
+
+    #[test]
+    fn law_shown_angles_read_back_equal(degrees in 1.0..360.0) {
+        let setting = Setting::parse(&format!("perception.cameras.left.fov_deg={degrees}")).unwrap();
+        let system = System::read(&Source::new("default.ron", embedded::system()), &[setting]).unwrap();
+        let shown = System::read(&Source::new("shown.ron", system.to_ron()), &[]).unwrap();
+        prop_assert_eq!(shown, system);
+    }
+}
+
+#[test]
+fn law_deep_nesting_is_refused() {
+    for bracket in ["(", "[", "{", "Some(", "a(b:", "[[],", "/*"] {
+        let [scenario, system] = read(&bracket.repeat(100_000));
+        assert!(scenario.is_some() && system.is_some());
+        let [scenario, system] = read(&format!("(title: {}", bracket.repeat(100_000)));
+        assert!(scenario.is_some() && system.is_some());
+    }
+}
+
+#[test]
+fn law_no_number_may_be_nan_or_infinite_or_huge() {
+    let system = default_system();
+    let mut texts = vec![(system.to_ron(), 1)];
+    for name in embedded::names() {
+        let source = Source::new("file.ron", embedded::scenario(name).unwrap());
+        texts.push((Scenario::read(&source, &system, &[]).unwrap().to_ron(), 0));
+    }
+    let mut numbers = 0;
+    for (text, kind) in texts {
+        for (start, end) in numbers_in(&text) {
+            numbers += 1;
+            for bad in ["NaN", "inf", "-inf", "NaNf64", "1e999", "1e9", "-1e9"] {
+                let refusals = read(&format!("{}{bad}{}", &text[..start], &text[end..]));
+                let invalid = refusals[kind].as_ref().unwrap_or_else(|| panic!("{bad} passed for {}", &text[..end]));
+                let column = invalid.violations()[0].line_column();
+                assert_eq!(column, Source::new("", text.as_str()).line_column(start), "{bad} for {}", &text[..end]);
+            }
+        }
+    }
+    assert!(numbers > 200, "{numbers}");
+}
+
+/// Where numbers stand in a shown file: after a colon and a space.
+fn numbers_in(text: &str) -> Vec<(usize, usize)> {
+    let starts = text.match_indices(": ").map(|(colon, _)| colon + 2);
+    let is_number = |c: char| c.is_ascii_digit() || c == '-' || c == '.';
+    let spans = starts.map(|start| (start, start + text[start..].find(|c| !is_number(c)).unwrap_or(0)));
+    spans.filter(|(start, end)| end > start).collect()
+}

@@ -1,0 +1,98 @@
+//! How a run ended, and what it took.
+
+use zhuyi_core::{ActorId, Body, SimTime};
+use zhuyi_world::crash::CrashError;
+use zhuyi_world::{Crash, Side};
+
+use crate::trace::Trace;
+
+/// A finished run.
+#[derive(Debug)]
+pub struct Run {
+    /// How it ended.
+    pub outcome: Outcome,
+    /// Frames of each camera, in the order of the rig.
+    pub frames: Vec<Frames>,
+    /// What was true at every step.
+    pub trace: Trace,
+}
+
+/// How a run ended.
+#[derive(Debug)]
+pub enum Outcome {
+    /// The scenario's time was over and the ego had touched nothing.
+    Completed,
+    /// The ego touched an actor.
+    Collision(Collision),
+}
+
+/// The first contact of the ego.
+#[derive(Debug)]
+pub struct Collision {
+    /// When.
+    pub time: SimTime,
+    /// Whom.
+    pub actor: ActorId,
+    /// With which of its sides.
+    pub side: Side,
+    /// What it did to both.
+    pub crash: Result<Crash, CrashError>,
+}
+
+/// How much a camera saw.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Frames {
+    /// Pictures taken.
+    pub exposed: u64,
+    /// Pictures processed within the run.
+    pub processed: u64,
+}
+
+/// How close it was: the extremes over a run and the actors in the ego's way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extremes {
+    /// [m] smallest gap, bumper to bumper, to an actor ahead whose side-to-side extent overlaps the ego's.
+    pub gap: Option<f64>,
+    /// [s] smallest time to collision with such an actor: gap over closing speed (Hayward 1972).
+    pub time_to_collision: Option<f64>,
+    /// [m/s2] hardest braking of the ego.
+    pub decel: f64,
+}
+
+impl Run {
+    /// Whether the ego touched something.
+    pub fn collided(&self) -> bool {
+        matches!(self.outcome, Outcome::Collision(_))
+    }
+
+    /// How close it was.
+    pub fn extremes(&self) -> Extremes {
+        let mut extremes = Extremes { gap: None, time_to_collision: None, decel: 0.0 };
+        for row in self.trace.rows() {
+            if -row.ego.accel > extremes.decel {
+                extremes.decel = -row.ego.accel;
+            }
+            for actor in row.actors.iter().filter(|actor| ahead(row.ego, actor)) {
+                let gap = actor.rear() - row.ego.front();
+                lower(&mut extremes.gap, gap);
+                let closing = row.ego.s_rate - actor.s_rate;
+                if closing > 0.0 {
+                    lower(&mut extremes.time_to_collision, gap / closing);
+                }
+            }
+        }
+        extremes
+    }
+}
+
+/// Whether `actor` is ahead of the ego and overlaps it side to side.
+fn ahead(ego: &Body, actor: &Body) -> bool {
+    actor.rear() >= ego.front()
+        && (actor.road.d - ego.road.d).abs() < f64::midpoint(actor.footprint.width, ego.footprint.width)
+}
+
+fn lower(least: &mut Option<f64>, value: f64) {
+    if least.is_none_or(|l| value < l) {
+        *least = Some(value);
+    }
+}

@@ -1,0 +1,52 @@
+//! The recorded future of every actor as the estimator takes it: the integrator's own pieces, put together where they go on alike.
+//!
+//! Between two rows `s` is the quadratic that leaves the first with its speed and meets the second, the speed is linear, and so
+//! is `d`. A piece is extended as long as it meets the rows to within 1e-7 m and 1e-7 m/s, far below what any decision of the
+//! model turns on, so an actor that holds its acceleration for ten seconds is one piece, not a thousand. Behind the last row an
+//! actor keeps its last speed and offset (reading R10).
+
+use zhuyi_core::{Across, Along, Body, Trajectory};
+
+use crate::trace::Trace;
+
+/// [m], [m/s] how closely a piece must meet the rows.
+const TOLERANCE: f64 = 1e-7;
+
+/// One trajectory per actor, in the time of the trace.
+pub fn futures(trace: &Trace) -> Vec<Trajectory> {
+    (0..trace.names().len() - 1).map(|actor| future(trace, actor)).collect()
+}
+
+fn future(trace: &Trace, actor: usize) -> Trajectory {
+    let rows = || trace.rows().map(|row| (row.time.seconds(), row.actors[actor]));
+    let mut along: Vec<Along> = Vec::new();
+    let mut across: Vec<Across> = Vec::new();
+    for ((t, body), (next_t, next)) in rows().zip(rows().skip(1)) {
+        let step = next_t - t;
+        if !along.last().is_some_and(|piece| meets_along(piece, next_t, &next)) {
+            along.push(Along {
+                time: t,
+                s: body.road.s,
+                s_rate: body.s_rate,
+                s_half_accel: ((next.road.s - body.road.s) / step - body.s_rate) / step,
+                v: body.s_rate,
+                v_rate: (next.s_rate - body.s_rate) / step,
+            });
+        }
+        if !across.last().is_some_and(|piece| meets_across(piece, next_t, &next)) {
+            across.push(Across { time: t, d: body.road.d, d_rate: (next.road.d - body.road.d) / step });
+        }
+    }
+    let (end, last) = rows().last().unwrap_or_else(|| unreachable!("a trace has at least its first row"));
+    along.push(Along::constant_accel(end, last.road.s, last.s_rate, 0.0));
+    across.push(Across { time: end, d: last.road.d, d_rate: 0.0 });
+    Trajectory { along, across, known_until: end }
+}
+
+fn meets_along(piece: &Along, time: f64, body: &Body) -> bool {
+    (piece.s_at(time) - body.road.s).abs() < TOLERANCE && (piece.v_at(time) - body.s_rate).abs() < TOLERANCE
+}
+
+fn meets_across(piece: &Across, time: f64, body: &Body) -> bool {
+    (piece.d + piece.d_rate * (time - piece.time) - body.road.d).abs() < TOLERANCE
+}

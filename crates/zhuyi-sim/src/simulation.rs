@@ -1,0 +1,116 @@
+//! The loop: one tick moves the truth by one step, with the ego acting on what its cameras have told it so far.
+
+use rand::RngExt;
+use zhuyi_core::{Body, Forecast, FrameRates, Frenet, SimTime};
+use zhuyi_perception::{Eyes, Purpose, Tracker};
+use zhuyi_planner::Planner;
+use zhuyi_scenario::{Scenario, System};
+use zhuyi_world::script::{Actor, Behaviour};
+use zhuyi_world::{Contact, Ego, Start, World};
+
+use crate::draws::Draws;
+use crate::outcome::{Collision, Frames, Outcome, Run};
+use crate::trace::Trace;
+
+/// Physics, planning and recording go in steps of 10 ms; exposures do not (reading R15).
+pub const STEP: SimTime = SimTime::from_millis(10);
+
+/// A run under way.
+pub struct Simulation<'a> {
+    scenario: &'a Scenario,
+    system: &'a System,
+    world: World<'a>,
+    eyes: Eyes,
+    tracker: Tracker,
+    planner: Planner<'a>,
+    forecasts: Vec<Forecast>,
+    trace: Trace,
+}
+
+impl<'a> Simulation<'a> {
+    /// A run at its start. The same arguments give the same run, to the last bit.
+    pub fn new(scenario: &'a Scenario, system: &'a System, rates: &FrameRates, draws: Draws<'_>) -> Self {
+        let ego = Ego {
+            road: Frenet { s: scenario.ego.s, d: scenario.road.lane_center(scenario.ego.lane) },
+            heading: 0.0,
+            speed: scenario.ego.speed,
+            accel: 0.0,
+            steering: 0.0,
+        };
+        let starts = starts(scenario, system, &ego, draws);
+        let world = World::new(&scenario.road, &system.vehicle, &scenario.actors, ego, &starts);
+        let stream = |purpose: Purpose| draws.stream(&format!("{purpose:?}"));
+        let mut eyes = Eyes::new(&system.perception, rates, stream, world.scene());
+        let mut tracker = Tracker::new(&system.perception, scenario.actors.len());
+        tracker.start_confirmed(&eyes.glance(world.scene()));
+        Self {
+            scenario,
+            system,
+            eyes,
+            tracker,
+            planner: Planner::new(&system.planner, &scenario.road, scenario.ego.lane, scenario.ego.speed),
+            forecasts: Vec::new(),
+            trace: Trace::new(scenario.actors.iter().map(|a| a.name.as_str())),
+            world,
+        }
+    }
+
+    /// One step of the loop. Returns the first contact of the ego, if there is one.
+    pub fn tick(&mut self) -> Option<Contact> {
+        let (scene, road) = (self.world.scene(), &self.scenario.road);
+        let tracks = self.tracker.tracks(scene.time);
+        self.forecasts.clear();
+        self.forecasts.extend(tracks.iter().map(|track| self.system.predictor.forecast(track, road)));
+        let command = self.planner.plan(scene.time, &scene.ego, tracks, &self.forecasts);
+        self.trace.push(scene, command);
+        let contact = self.world.step(command, STEP);
+        let now = self.world.scene().time;
+        self.eyes.expose(now, |instant, scene| self.world.scene_at(instant, scene));
+        while let Some(frame) = self.eyes.deliver(now) {
+            self.tracker.update(&frame, road);
+        }
+        contact
+    }
+
+    /// Ticks until the ego touches something or the scenario's time is over.
+    pub fn run(mut self) -> Run {
+        let mut contact = None;
+        while contact.is_none() && self.world.scene().time < self.scenario.duration {
+            contact = self.tick();
+        }
+        let outcome = match contact {
+            None => Outcome::Completed,
+            Some(contact) => Outcome::Collision(Collision {
+                time: self.world.contact_time(&contact),
+                actor: contact.actor,
+                side: contact.side,
+                crash: self.world.crash(&contact),
+            }),
+        };
+        let frames = (0..self.system.perception.eyes.len() as u8).map(|camera| Frames {
+            exposed: self.eyes.frames_exposed(zhuyi_core::CameraId(camera)),
+            processed: self.eyes.frames_processed(zhuyi_core::CameraId(camera)),
+        });
+        Run { outcome, frames: frames.collect(), trace: self.trace }
+    }
+
+    /// The true state of the ego now.
+    pub fn ego(&self) -> &Body {
+        &self.world.scene().ego
+    }
+}
+
+/// Where the actors start in this run: the script's places, each with its own jitter.
+fn starts(scenario: &Scenario, system: &System, ego: &Ego, draws: Draws<'_>) -> Vec<Start> {
+    let jittered = |actor: &Actor| {
+        let mut stream = draws.stream(&format!("start of {}", actor.name));
+        let (along, faster) = (stream.random_range(-1.0..=1.0), stream.random_range(-1.0..=1.0));
+        let start = Start::of(actor, ego, &system.vehicle);
+        let moves = actor.behaviour != Behaviour::Obstacle && start.speed > 0.0;
+        Start {
+            s: start.s + system.jitter.position * along,
+            speed: if moves { (start.speed + system.jitter.speed * faster).max(0.0) } else { start.speed },
+        }
+    };
+    scenario.actors.iter().map(jittered).collect()
+}

@@ -1,0 +1,73 @@
+//! What was true at every step of a run.
+
+use zhuyi_core::{Body, Command, Scene, SimTime};
+
+/// The record of a run: one row per step, from the start to the last step before a contact or the end.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trace {
+    /// Names of the vehicles: the ego, then the actors in order.
+    names: Vec<String>,
+    times: Vec<SimTime>,
+    commands: Vec<Command>,
+    /// All bodies of all rows, row after row.
+    bodies: Vec<Body>,
+}
+
+/// One step of a trace.
+#[derive(Clone, Copy, Debug)]
+pub struct Row<'a> {
+    /// When.
+    pub time: SimTime,
+    /// The ego.
+    pub ego: &'a Body,
+    /// The actors, in order.
+    pub actors: &'a [Body],
+    /// What the planner asked for at this time.
+    pub command: Command,
+}
+
+impl Trace {
+    /// An empty record of the ego and actors of these names.
+    pub fn new<'n>(actors: impl Iterator<Item = &'n str>) -> Self {
+        let names = std::iter::once("ego").chain(actors).map(String::from).collect();
+        Self { names, times: Vec::new(), commands: Vec::new(), bodies: Vec::new() }
+    }
+
+    /// Adds a row.
+    pub(crate) fn push(&mut self, scene: &Scene, command: Command) {
+        self.times.push(scene.time);
+        self.commands.push(command);
+        self.bodies.push(scene.ego);
+        self.bodies.extend_from_slice(&scene.actors);
+    }
+
+    /// Names of the vehicles: `ego`, then the actors in order.
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.times.len()
+    }
+
+    /// Whether there is no row.
+    pub fn is_empty(&self) -> bool {
+        self.times.is_empty()
+    }
+
+    /// Row `index`, from 0.
+    ///
+    /// # Panics
+    /// If there is no such row.
+    pub fn row(&self, index: usize) -> Row<'_> {
+        let width = self.names.len();
+        let row = &self.bodies[index * width..(index + 1) * width];
+        Row { time: self.times[index], ego: &row[0], actors: &row[1..], command: self.commands[index] }
+    }
+
+    /// All rows in order.
+    pub fn rows(&self) -> impl ExactSizeIterator<Item = Row<'_>> {
+        (0..self.len()).map(|i| self.row(i))
+    }
+}

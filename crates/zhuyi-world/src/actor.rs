@@ -1,0 +1,191 @@
+//! Actors in motion: what a script makes of a vehicle, step by step.
+//!
+//! An actor moves along its lane at a speed `v` that is linear within a step, `ds/dt = v / (1 - κ d)`, and across it along
+//! a minimum-jerk [`LaneChange`]. Its heading is that of its velocity.
+//! Reactive actors know the truth at once: they stand for attentive drivers, whose errors are not under study.
+
+use zhuyi_core::idm::Leader;
+use zhuyi_core::{ActorId, Body, Footprint, Frenet, LaneChange, Lateral, Pose, Road, Scene};
+
+use crate::script::{Action, Actor, Behaviour, Manoeuvre, Station, Trigger};
+
+/// What an actor does along the road.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Drive {
+    Behave(Behaviour),
+    Reach { speed: f64, accel: f64 },
+    Brake { decel: f64 },
+}
+
+/// An actor in motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mover {
+    /// [m] arc length of its centre.
+    s: f64,
+    /// [m/s] speed along its lane.
+    speed: f64,
+    /// [m/s2] its rate of change, constant within a step.
+    accel: f64,
+    drive: Drive,
+    lane_change: LaneChange,
+    /// How many manoeuvres have begun.
+    begun: usize,
+}
+
+impl Mover {
+    /// An actor at its start: `s` its centre, `speed` after any jitter.
+    pub fn new(actor: &Actor, road: &Road, s: f64, speed: f64) -> Self {
+        Self {
+            s,
+            speed,
+            accel: 0.0,
+            drive: Drive::Behave(actor.behaviour),
+            lane_change: LaneChange::none(0.0, road.lane_center(actor.start.lane)),
+            begun: 0,
+        }
+    }
+
+    /// Begins what is due at `time` and sets the acceleration for the next `dt` seconds. `scene` is the truth at `time`.
+    pub fn decide(
+        &mut self,
+        id: ActorId,
+        actor: &Actor,
+        road: &Road,
+        scene: &Scene,
+        time: f64,
+        dt: f64,
+    ) {
+        let me = &scene.actors[id.index()];
+        while let Some(next) = actor
+            .manoeuvres
+            .get(self.begun)
+            .filter(|m| due(m, me, scene, time))
+        {
+            self.begun += 1;
+            self.begin(next.then, road, time);
+        }
+        let wanted = match self.drive {
+            Drive::Behave(behaviour) => behaviour_accel(behaviour, id, me, self.speed, scene),
+            Drive::Reach { speed, accel } => ((speed - self.speed) / dt).clamp(-accel, accel),
+            Drive::Brake { decel } => -decel,
+        };
+        self.accel = wanted.max(-self.speed / dt);
+    }
+
+    fn begin(&mut self, action: Action, road: &Road, time: f64) {
+        match action {
+            Action::ChangeLane { lane, duration } => {
+                let from = self.lane_change.at(time).d;
+                self.lane_change = LaneChange {
+                    start: time,
+                    duration,
+                    from,
+                    to: road.lane_center(lane),
+                };
+            }
+            Action::ReachSpeed { speed, accel } => self.drive = Drive::Reach { speed, accel },
+            Action::Brake { decel } => self.drive = Drive::Brake { decel },
+            Action::Behave(behaviour) => self.drive = Drive::Behave(behaviour),
+        }
+    }
+
+    /// Moves on by `dt` seconds from `time`.
+    pub fn advance(&mut self, road: &Road, time: f64, dt: f64) {
+        self.s = self.s_after(road, time, dt);
+        self.speed = (self.speed + self.accel * dt).max(0.0);
+    }
+
+    /// [m] its centre `dt` seconds after `time`: the way along the lane, scaled to the reference line by the curvature and
+    /// offset half-way.
+    fn s_after(&self, road: &Road, time: f64, dt: f64) -> f64 {
+        let way = (self.speed + self.accel * dt / 2.0) * dt;
+        let curvature = road.curvature(self.s + way / 2.0);
+        self.s + way / (1.0 - curvature * self.lane_change.at(time + dt / 2.0).d)
+    }
+
+    /// The body `dt` seconds after `time`, within the current step.
+    pub fn body(&self, footprint: Footprint, road: &Road, time: f64, dt: f64) -> Body {
+        let s = self.s_after(road, time, dt);
+        let Lateral {
+            d, rate: d_rate, ..
+        } = self.lane_change.at(time + dt);
+        let along = (self.speed + self.accel * dt).max(0.0);
+        let at = road.world_from_road(Frenet { s, d });
+        let turn = if d_rate == 0.0 {
+            0.0
+        } else {
+            d_rate.atan2(along)
+        };
+        Body {
+            footprint,
+            road: Frenet { s, d },
+            pose: Pose::new(at.x, at.y, at.heading + turn),
+            speed: along.hypot(d_rate),
+            accel: self.accel,
+            s_rate: along / (1.0 - road.curvature(s) * d),
+            d_rate,
+        }
+    }
+}
+
+/// Whether a manoeuvre's trigger fires.
+fn due(manoeuvre: &Manoeuvre, me: &Body, scene: &Scene, time: f64) -> bool {
+    let ego = &scene.ego;
+    let gap = (me.rear() - ego.front()).max(ego.rear() - me.front());
+    match manoeuvre.when {
+        // Half a nanosecond of slack: step times are integers of nanoseconds, typed times are not.
+        Trigger::Time(at) => time >= at - 5e-10,
+        Trigger::GapToEgo(at) => gap <= at,
+        Trigger::DistanceTo { actor, distance } => {
+            (scene.actors[actor.index()].road.s - me.road.s).abs() <= distance
+        }
+        Trigger::TimeToCollision(at) => {
+            let closing = if me.road.s >= ego.road.s {
+                ego.s_rate - me.s_rate
+            } else {
+                me.s_rate - ego.s_rate
+            };
+            closing > 0.0 && gap <= at * closing
+        }
+    }
+}
+
+/// [m/s2] the acceleration that a behaviour asks for; `v` is the actor's speed along its lane.
+fn behaviour_accel(behaviour: Behaviour, id: ActorId, me: &Body, v: f64, scene: &Scene) -> f64 {
+    match behaviour {
+        Behaviour::Obstacle | Behaviour::Cruise => 0.0,
+        Behaviour::Follow { driver, max_decel } => driver
+            .improved_accel(v, leader(id, me, scene))
+            .clamp(-max_decel, driver.max_accel),
+        Behaviour::HoldBeside(Station {
+            offset,
+            max_accel,
+            max_decel,
+        }) => {
+            // Critically damped at 2 rad/s: no overshoot, and a car beside an ego that brakes at b stays within b / 4 metres.
+            let error = offset - (me.road.s - scene.ego.road.s);
+            (4.0 * (scene.ego.s_rate - me.s_rate) + 4.0 * error).clamp(-max_decel, max_accel)
+        }
+    }
+}
+
+/// The nearest body ahead whose side-to-side extent overlaps the actor's.
+fn leader(id: ActorId, me: &Body, scene: &Scene) -> Option<Leader> {
+    let others = scene
+        .actors
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| *i != id.index())
+        .map(|(_, body)| body);
+    others
+        .chain(std::iter::once(&scene.ego))
+        .filter(|other| other.road.s > me.road.s)
+        .filter(|other| {
+            (other.road.d - me.road.d).abs() < (other.footprint.width + me.footprint.width) / 2.0
+        })
+        .min_by(|a, b| a.rear().total_cmp(&b.rear()))
+        .map(|other| Leader {
+            gap: (other.rear() - me.front()).max(0.1),
+            speed: other.s_rate,
+        })
+}

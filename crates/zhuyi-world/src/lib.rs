@@ -1,0 +1,21 @@
+//! Truth: vehicle motion, actuators, scripted and reactive actors, contact and crash.
+//!
+//! ```text
+//!  Command ──▶ [actuator] ──▶ ego ─┐
+//!  script ──▶ [actors] ────────────┼─▶ Scene at any instant of the step ──▶ contact ──▶ crash
+//! ```
+//!
+//! [`World::step`] moves everything by one step; [`World::scene_at`] tells the truth at any instant within the last step,
+//! by the very motion of that step, so that a camera's exposure needs no rounding to steps.
+
+pub mod actor;
+pub mod contact;
+pub mod crash;
+pub mod script;
+pub mod vehicle;
+mod world;
+
+pub use contact::{Contact, Side};
+pub use crash::Crash;
+pub use vehicle::{Ego, Vehicle};
+pub use world::{Start, World};

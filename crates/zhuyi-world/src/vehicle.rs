@@ -1,0 +1,336 @@
+//! What the ego can do: the kinematic bicycle on the road's coordinates, its actuators and its tyres.
+//!
+//! ```text
+//!  ds/dt = v cos(ψ + β) / (1 - κ d)      dd/dt = v sin(ψ + β)
+//!  dψ/dt = v sin(β) / l_r - κ ds/dt      tan(β) = (l_r / L) tan(δ)
+//! ```
+//!
+//! | symbol | meaning |
+//! |---|---|
+//! | s, d | centre of the box on the road |
+//! | ψ | heading against the road's direction at s |
+//! | v, β | speed of the centre and its angle against the heading |
+//! | δ | steering angle of the front wheels |
+//! | L, l_r | wheelbase, centre to rear axle: L / 2 |
+//! | κ | curvature of the reference line at s |
+//!
+//! Actuators: first-order lag, jerk and rate limits, then the friction circle `a^2 + (v^2 c)^2 <= (μ g)^2`, in which
+//! braking goes before cornering. Acceleration and steering angle are constant within a step, so the speed along the
+//! path is piecewise linear. Source: Rajamani, Vehicle Dynamics and Control (2012), section 2.2; in road coordinates
+//! the same with the reference line's curvature (section 2.5's moving frame). Left out: tyre slip, load transfer, pitch.
+
+use zhuyi_core::{Body, Command, Footprint, Frenet, GRAVITY, Pose, Road};
+
+/// The ego's body, actuators and tyres.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Vehicle {
+    /// The box.
+    pub footprint: Footprint,
+    /// [kg] mass, for the crash.
+    pub mass: f64,
+    /// [m] front axle to rear axle; the centre of the box lies midway.
+    pub wheelbase: f64,
+    /// [s] time constant of acceleration and brakes (first order).
+    pub accel_lag: f64,
+    /// [m/s3] hardest change of acceleration.
+    pub max_jerk: f64,
+    /// [m/s2] hardest acceleration.
+    pub max_accel: f64,
+    /// [m/s2] hardest braking.
+    pub max_decel: f64,
+    /// [-] friction coefficient: acceleration and cornering together stay within it times gravity.
+    pub friction: f64,
+    /// [s] time constant of the steering (first order).
+    pub steering_lag: f64,
+    /// [rad] largest steering angle of the front wheels.
+    pub max_steering: f64,
+    /// [rad/s] fastest change of the steering angle.
+    pub max_steering_rate: f64,
+}
+
+impl Vehicle {
+    /// [rad] β, angle of the centre's velocity against the heading, at a steering angle.
+    ///
+    /// By hand: the centre lies midway, so tan(β) = tan(δ) / 2.
+    /// ```
+    /// # use zhuyi_core::Footprint;
+    /// # let car = zhuyi_world::Vehicle { footprint: Footprint { length: 4.8, width: 1.9 }, mass: 1800.0, wheelbase: 2.8,
+    /// #   accel_lag: 0.1, max_jerk: 50.0, max_accel: 3.0, max_decel: 9.0, friction: 0.9, steering_lag: 0.1,
+    /// #   max_steering: 0.6, max_steering_rate: 0.7 };
+    /// assert!((car.slip_angle(0.2f64.atan()) - 0.1f64.atan()).abs() < 1e-15);
+    /// ```
+    pub fn slip_angle(&self, steering: f64) -> f64 {
+        (steering.tan() / 2.0).atan()
+    }
+
+    /// [1/m] curvature of the centre's path at a steering angle: sin(β) / l_r.
+    pub fn path_curvature(&self, steering: f64) -> f64 {
+        self.slip_angle(steering).sin() / (self.wheelbase / 2.0)
+    }
+
+    /// [rad] the steering angle that gives a curvature, within the steering's limits; inverse of [`Vehicle::path_curvature`].
+    pub fn steering_for(&self, curvature: f64) -> f64 {
+        let slip = (curvature * self.wheelbase / 2.0)
+            .clamp(-0.999, 0.999)
+            .asin();
+        (2.0 * slip.tan())
+            .atan()
+            .clamp(-self.max_steering, self.max_steering)
+    }
+
+    /// [m/s2] the acceleration that follows on `accel` after `dt` seconds under the command `wanted`.
+    fn lagged_accel(&self, accel: f64, wanted: f64, dt: f64) -> f64 {
+        let wanted = wanted.clamp(-self.max_decel, self.max_accel);
+        let change = (wanted - accel) * (1.0 - (-dt / self.accel_lag).exp());
+        let limit = self.max_jerk * dt;
+        (accel + change.clamp(-limit, limit))
+            .clamp(-self.friction * GRAVITY, self.friction * GRAVITY)
+    }
+
+    /// [rad] the steering angle that follows on `steering` after `dt` seconds, at most what the tyres hold at `speed` and `accel`.
+    fn lagged_steering(
+        &self,
+        steering: f64,
+        curvature: f64,
+        speed: f64,
+        accel: f64,
+        dt: f64,
+    ) -> f64 {
+        let grip = ((self.friction * GRAVITY).powi(2) - accel * accel)
+            .max(0.0)
+            .sqrt();
+        let most = if speed > 0.0 {
+            grip / (speed * speed)
+        } else {
+            f64::INFINITY
+        };
+        let wanted = self.steering_for(curvature.clamp(-most, most));
+        let change = (wanted - steering) * (1.0 - (-dt / self.steering_lag).exp());
+        let limit = self.max_steering_rate * dt;
+        let held = self.steering_for(most);
+        (steering + change.clamp(-limit, limit)).clamp(-held, held)
+    }
+}
+
+/// The ego in motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ego {
+    /// Centre of the box.
+    pub road: Frenet,
+    /// [rad] ψ, heading against the road.
+    pub heading: f64,
+    /// [m/s] v.
+    pub speed: f64,
+    /// [m/s2] acceleration, constant within a step.
+    pub accel: f64,
+    /// [rad] δ, constant within a step.
+    pub steering: f64,
+}
+
+impl Ego {
+    /// Sets the actuators for the next `dt` seconds. The last step of a braking ends exactly at standstill.
+    pub fn actuate(&mut self, vehicle: &Vehicle, command: Command, dt: f64) {
+        let accel = vehicle.lagged_accel(self.accel, command.accel, dt);
+        self.accel = accel.max(-self.speed / dt);
+        self.steering =
+            vehicle.lagged_steering(self.steering, command.curvature, self.speed, self.accel, dt);
+    }
+
+    /// The state `dt` seconds later at constant acceleration and steering angle (one step of the classical Runge-Kutta method).
+    pub fn advanced(&self, vehicle: &Vehicle, road: &Road, dt: f64) -> Self {
+        let slip = vehicle.slip_angle(self.steering);
+        let turn = slip.sin() / (vehicle.wheelbase / 2.0);
+        let rate = |s: f64, d: f64, heading: f64, time: f64| {
+            let v = self.speed + self.accel * time;
+            let curvature = road.curvature(s);
+            let (sin, cos) = (heading + slip).sin_cos();
+            let s_rate = v * cos / (1.0 - curvature * d);
+            [s_rate, v * sin, v * turn - curvature * s_rate]
+        };
+        let Frenet { s, d } = self.road;
+        let h = dt / 2.0;
+        let k1 = rate(s, d, self.heading, 0.0);
+        let k2 = rate(s + h * k1[0], d + h * k1[1], self.heading + h * k1[2], h);
+        let k3 = rate(s + h * k2[0], d + h * k2[1], self.heading + h * k2[2], h);
+        let k4 = rate(
+            s + dt * k3[0],
+            d + dt * k3[1],
+            self.heading + dt * k3[2],
+            dt,
+        );
+        let step = |i: usize| dt / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]);
+        Self {
+            road: Frenet {
+                s: s + step(0),
+                d: d + step(1),
+            },
+            heading: self.heading + step(2),
+            speed: (self.speed + self.accel * dt).max(0.0),
+            ..*self
+        }
+    }
+
+    /// The body as others see it.
+    pub fn body(&self, vehicle: &Vehicle, road: &Road) -> Body {
+        let at = road.world_from_road(self.road);
+        let (sin, cos) = (self.heading + vehicle.slip_angle(self.steering)).sin_cos();
+        Body {
+            footprint: vehicle.footprint,
+            road: self.road,
+            pose: Pose::new(at.x, at.y, at.heading + self.heading),
+            speed: self.speed,
+            accel: self.accel,
+            s_rate: self.speed * cos / (1.0 - road.curvature(self.road.s) * self.road.d),
+            d_rate: self.speed * sin,
+        }
+    }
+
+    /// [rad/s] yaw rate.
+    pub fn yaw_rate(&self, vehicle: &Vehicle) -> f64 {
+        self.speed * vehicle.path_curvature(self.steering)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use zhuyi_core::{Manoeuvre, Segment};
+
+    fn car() -> Vehicle {
+        Vehicle {
+            footprint: Footprint {
+                length: 4.8,
+                width: 1.9,
+            },
+            mass: 1800.0,
+            wheelbase: 2.8,
+            accel_lag: 0.11,
+            max_jerk: 50.0,
+            max_accel: 3.0,
+            max_decel: 9.0,
+            friction: 0.9,
+            steering_lag: 0.1,
+            max_steering: 0.6,
+            max_steering_rate: 0.7,
+        }
+    }
+
+    fn straight() -> Road {
+        Road::new(Pose::default(), &[Segment::Line { length: 1000.0 }], 3, 3.5).unwrap()
+    }
+
+    fn ego(speed: f64) -> Ego {
+        Ego {
+            road: Frenet::default(),
+            heading: 0.0,
+            speed,
+            accel: 0.0,
+            steering: 0.0,
+        }
+    }
+
+    fn wish(accel: f64, curvature: f64) -> Command {
+        Command {
+            accel,
+            curvature,
+            manoeuvre: Manoeuvre::Follow,
+        }
+    }
+
+    #[test]
+    fn hand_constant_steering_drives_a_circle() {
+        // v = 10 m/s, centre path of radius 50 m on a straight road: after a quarter turn the centre is at (R sin 90, R).
+        let (vehicle, road) = (car(), straight());
+        let mut state = ego(10.0);
+        state.steering = vehicle.steering_for(1.0 / 50.0);
+        let slip = vehicle.slip_angle(state.steering);
+        state.heading = -slip; // the velocity, not the body, starts along the road
+        let steps = 1000;
+        let quarter = 50.0 * std::f64::consts::FRAC_PI_2 / 10.0;
+        for _ in 0..steps {
+            state = state.advanced(&vehicle, &road, quarter / f64::from(steps));
+        }
+        assert!(
+            (state.road.s - 50.0).abs() < 1e-9 && (state.road.d - 50.0).abs() < 1e-9,
+            "{state:?}"
+        );
+    }
+
+    #[test]
+    fn law_road_coordinates_and_world_agree_on_a_curve() {
+        // The same steering on a curved and on a straight road is the same path in the world.
+        let vehicle = car();
+        let arc = Road::new(
+            Pose::default(),
+            &[Segment::Arc {
+                length: 300.0,
+                curvature: 0.005,
+            }],
+            3,
+            3.5,
+        )
+        .unwrap();
+        let road = straight();
+        let (mut a, mut b) = (ego(15.0), ego(15.0));
+        for step in 0..600 {
+            let command = wish(0.5, 0.004 * f64::from(step / 100 % 3 - 1));
+            for (state, road) in [(&mut a, &road), (&mut b, &arc)] {
+                state.actuate(&vehicle, command, 0.01);
+                *state = state.advanced(&vehicle, road, 0.01);
+            }
+        }
+        let (p, q) = (a.body(&vehicle, &road).pose, b.body(&vehicle, &arc).pose);
+        assert!(
+            (p.x - q.x).abs() < 1e-6 && (p.y - q.y).abs() < 1e-6,
+            "{p:?} {q:?}"
+        );
+        assert!((p.heading - q.heading).abs() < 1e-9);
+    }
+
+    #[test]
+    fn hand_first_order_lag_reaches_63_percent_after_one_time_constant() {
+        let mut state = ego(30.0);
+        let vehicle = Vehicle {
+            max_jerk: 1e6,
+            ..car()
+        };
+        for _ in 0..11 {
+            state.actuate(&vehicle, wish(-4.0, 0.0), 0.01);
+        }
+        assert!((state.accel + 4.0 * (1.0 - (-1.0f64).exp())).abs() < 1e-12);
+    }
+
+    #[test]
+    fn law_jerk_and_friction_stay_within_their_limits() {
+        let vehicle = Vehicle {
+            max_jerk: 20.0,
+            friction: 0.5,
+            ..car()
+        };
+        let (mut state, road) = (ego(30.0), straight());
+        let mut last = state.accel;
+        for _ in 0..300 {
+            state.actuate(&vehicle, wish(-9.0, 0.05), 0.01);
+            assert!((state.accel - last).abs() <= 0.2 + 1e-12);
+            let across = state.speed * state.speed * vehicle.path_curvature(state.steering);
+            assert!(
+                state.accel.hypot(across) <= 0.5 * GRAVITY + 1e-9,
+                "{state:?}"
+            );
+            last = state.accel;
+            state = state.advanced(&vehicle, &road, 0.01);
+        }
+    }
+
+    #[test]
+    fn law_braking_ends_at_standstill_and_stays() {
+        let (mut state, vehicle, road) = (ego(3.0), car(), straight());
+        for _ in 0..200 {
+            state.actuate(&vehicle, wish(-5.0, 0.0), 0.01);
+            let before = state.road.s;
+            state = state.advanced(&vehicle, &road, 0.01);
+            assert!(state.road.s >= before && state.speed >= 0.0);
+        }
+        assert_eq!((state.speed, state.accel), (0.0, 0.0));
+    }
+}

@@ -1,0 +1,221 @@
+//! The ego and the actors on the road, moved in fixed steps.
+
+use zhuyi_core::{ActorId, Command, Pose, Road, Scene, SimTime};
+
+use crate::actor::Mover;
+use crate::contact::{Contact, Motion, first_contact};
+use crate::crash::{Crash, CrashBody, CrashError, crash};
+use crate::script::{Actor, Place};
+use crate::vehicle::{Ego, Vehicle};
+
+/// Where one actor starts in one run, jitter included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Start {
+    /// [m] arc length of its centre.
+    pub s: f64,
+    /// [m/s] its speed.
+    pub speed: f64,
+}
+
+impl Start {
+    /// The start that a script means, given the ego's body at its start.
+    pub fn of(actor: &Actor, ego: &Ego, vehicle: &Vehicle) -> Self {
+        let half = f64::midpoint(vehicle.footprint.length, actor.footprint.length);
+        let s = match actor.start.along {
+            Place::Ahead(gap) => ego.road.s + half + gap,
+            Place::Behind(gap) => ego.road.s - half - gap,
+            Place::Beside(offset) => ego.road.s + offset,
+            Place::At(s) => s,
+        };
+        Self {
+            s,
+            speed: actor.speed,
+        }
+    }
+}
+
+/// The truth, and the way it moves.
+#[derive(Clone, Debug)]
+pub struct World<'a> {
+    road: &'a Road,
+    vehicle: &'a Vehicle,
+    actors: &'a [Actor],
+    /// State at the start of the last step; its motion holds until `now`.
+    ego: Ego,
+    movers: Vec<Mover>,
+    before: SimTime,
+    now: SimTime,
+    scene: Scene,
+    previous: Scene,
+}
+
+impl<'a> World<'a> {
+    /// Everything at its start; `starts` has one entry per actor.
+    pub fn new(
+        road: &'a Road,
+        vehicle: &'a Vehicle,
+        actors: &'a [Actor],
+        ego: Ego,
+        starts: &[Start],
+    ) -> Self {
+        let movers: Vec<_> = actors
+            .iter()
+            .zip(starts)
+            .map(|(a, start)| Mover::new(a, road, start.s, start.speed))
+            .collect();
+        let bodies = actors
+            .iter()
+            .zip(&movers)
+            .map(|(a, m)| m.body(a.footprint, road, 0.0, 0.0))
+            .collect();
+        let scene = Scene {
+            time: SimTime::ZERO,
+            ego: ego.body(vehicle, road),
+            actors: bodies,
+        };
+        Self {
+            road,
+            vehicle,
+            actors,
+            ego,
+            movers,
+            before: SimTime::ZERO,
+            now: SimTime::ZERO,
+            previous: scene.clone(),
+            scene,
+        }
+    }
+
+    /// The truth now.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// Moves everything by `dt` under `command`. Returns the first contact of the ego, if there is one.
+    pub fn step(&mut self, command: Command, dt: SimTime) -> Option<Contact> {
+        self.finish_step();
+        let seconds = dt.seconds();
+        for (i, (mover, actor)) in self.movers.iter_mut().zip(self.actors).enumerate() {
+            mover.decide(
+                ActorId(i as u32),
+                actor,
+                self.road,
+                &self.scene,
+                self.now.seconds(),
+                seconds,
+            );
+        }
+        self.ego.actuate(self.vehicle, command, seconds);
+        self.now += dt;
+        std::mem::swap(&mut self.previous, &mut self.scene);
+        let mut scene = std::mem::take(&mut self.scene.actors);
+        self.fill(self.now, &mut scene);
+        self.scene = Scene {
+            time: self.now,
+            ego: self.ego_at(self.now).body(self.vehicle, self.road),
+            actors: scene,
+        };
+        self.contact()
+    }
+
+    /// Makes the end of the last step the start of the next one.
+    fn finish_step(&mut self) {
+        let dt = (self.now - self.before).seconds();
+        if dt > 0.0 {
+            self.ego = self.ego_at(self.now);
+            for mover in &mut self.movers {
+                mover.advance(self.road, self.before.seconds(), dt);
+            }
+        }
+        self.before = self.now;
+    }
+
+    fn ego_at(&self, time: SimTime) -> Ego {
+        self.ego
+            .advanced(self.vehicle, self.road, (time - self.before).seconds())
+    }
+
+    fn fill(&self, time: SimTime, bodies: &mut Vec<zhuyi_core::Body>) {
+        let (start, dt) = (self.before.seconds(), (time - self.before).seconds());
+        bodies.clear();
+        bodies.extend(
+            self.actors
+                .iter()
+                .zip(&self.movers)
+                .map(|(a, m)| m.body(a.footprint, self.road, start, dt)),
+        );
+    }
+
+    /// The truth at an instant of the last step, written into `scene`.
+    pub fn scene_at(&self, time: SimTime, scene: &mut Scene) {
+        scene.time = time;
+        scene.ego = self.ego_at(time).body(self.vehicle, self.road);
+        self.fill(time, &mut scene.actors);
+    }
+
+    fn contact(&self) -> Option<Contact> {
+        let motion = |from: &zhuyi_core::Body, to: &zhuyi_core::Body| Motion {
+            footprint: to.footprint,
+            from: from.pose,
+            to: to.pose,
+        };
+        let others = self
+            .previous
+            .actors
+            .iter()
+            .zip(&self.scene.actors)
+            .enumerate();
+        first_contact(
+            &motion(&self.previous.ego, &self.scene.ego),
+            others.map(|(i, (from, to))| (ActorId(i as u32), motion(from, to))),
+        )
+    }
+
+    /// The instant of a contact that the last step returned.
+    pub fn contact_time(&self, contact: &Contact) -> SimTime {
+        self.before + SimTime::from_seconds(contact.fraction * (self.now - self.before).seconds())
+    }
+
+    /// What becomes of a contact that the last step returned: the bodies as they touch go to the rigid-body solver.
+    ///
+    /// # Errors
+    /// When the solver refuses a body, which only numbers that are not finite can cause.
+    pub fn crash(&self, contact: &Contact) -> Result<Crash, CrashError> {
+        let time = self.contact_time(contact);
+        let mut scene = self.scene.clone();
+        self.scene_at(time, &mut scene);
+        let ego = self.ego_at(time);
+        let turn = self.vehicle.slip_angle(ego.steering);
+        let mut bodies = vec![CrashBody {
+            actor: None,
+            footprint: self.vehicle.footprint,
+            mass: self.vehicle.mass,
+            pose: scene.ego.pose,
+            velocity: velocity(
+                Pose {
+                    heading: scene.ego.pose.heading + turn,
+                    ..scene.ego.pose
+                },
+                scene.ego.speed,
+            ),
+            yaw_rate: ego.yaw_rate(self.vehicle),
+        }];
+        bodies.extend(scene.actors.iter().zip(self.actors).enumerate().map(
+            |(i, (body, actor))| CrashBody {
+                actor: Some(ActorId(i as u32)),
+                footprint: body.footprint,
+                mass: actor.mass,
+                pose: body.pose,
+                velocity: velocity(body.pose, body.speed),
+                yaw_rate: 0.0,
+            },
+        ));
+        crash(&bodies, contact)
+    }
+}
+
+/// [m/s] a speed along a heading, in the world.
+fn velocity(pose: Pose, speed: f64) -> (f64, f64) {
+    let (sin, cos) = pose.heading.sin_cos();
+    (speed * cos, speed * sin)
+}
