@@ -6,8 +6,9 @@
 //! | worst | the smallest |
 //! | mean | weighted by probability |
 //!
-//! Weights are normalised. Futures beyond the grid lie below every latency of it, the unavoidable ones below these; in the mean both
-//! count as 1/30 s. Futures with the actor alongside ask for no rate and are left out; if all are, so is the answer.
+//! Weights are normalised. Futures beyond the grid lie below every latency of it, the unavoidable ones below these;
+//! in the mean both count as 1/30 s. Futures with the actor alongside ask for no rate and are left out; if all are,
+//! so is the answer.
 
 use crate::estimate::State;
 use crate::grid::{MAX_FPR, MAX_LATENCIES};
@@ -17,10 +18,11 @@ use zhuyi_core::Forecast;
 /// The answer for an actor with several futures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ForecastEstimate {
-    /// The answer. Under the mean its latency lies between those of the grid, and all else is that of the worst future.
+    /// The answer. Under the mean its latency lies between those of the grid, and all else is that of the worst
+    /// future.
     pub estimate: Estimate,
-    /// The future that decided: the place in the forecast of the first one with this answer, under the mean of the worst one.
-    /// None for a forecast without futures.
+    /// The future that decided: the place in the forecast of the first one with this answer, under the mean of the
+    /// worst one. None for a forecast without futures.
     pub trajectory: Option<usize>,
 }
 
@@ -35,8 +37,8 @@ struct Ranked {
 }
 
 impl Estimator {
-    /// The tolerable latency of one actor over all its futures, with `now` on the forecast's clock as t_0, while the camera runs
-    /// at `current_latency` (l_0).
+    /// The tolerable latency of one actor over all its futures, with `now` on the forecast's clock as t_0, while
+    /// the camera runs at `current_latency` (l_0).
     pub fn forecast(
         &self,
         ego: &Ego,

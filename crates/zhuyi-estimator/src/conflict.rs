@@ -1,9 +1,9 @@
 //! When an actor is the ego's business (readings R7 and R8).
 //!
-//! The ego keeps its offset d_e. The actor is in the corridor while `|d_a - d_e| < (w_e + w_a)/2 + margin`, and the bodies overlap
-//! sideways while `|d_a - d_e| < (w_e + w_a)/2`. The stays in the corridor within [0, horizon] are cut out of the pieces in
-//! closed form. A stay that begins with the actor's front bumper behind the ego's rear bumper (the ego holding its acceleration) is
-//! dropped; the others are the conflict times.
+//! The ego keeps its offset d_e. The actor is in the corridor while `|d_a - d_e| < (w_e + w_a)/2 + margin`, and the
+//! bodies overlap sideways while `|d_a - d_e| < (w_e + w_a)/2`. The stays in the corridor within [0, horizon] are
+//! cut out of the pieces in closed form. A stay that begins with the actor's front bumper behind the ego's rear
+//! bumper (the ego holding its acceleration) is dropped; the others are the conflict times.
 //!
 //! ```text
 //!   |d_a - d_e|  \                                /
@@ -13,8 +13,8 @@
 //!         zone   Before |Close|  Overlap   |Close| After
 //! ```
 //!
-//! A list may flicker without end, so spans are derived one after the other and never collected; a few are kept because every
-//! candidate latency walks over them again.
+//! A list may flicker without end, so spans are derived one after the other and never collected; a few are kept
+//! because every candidate latency walks over them again.
 
 use crate::ego_motion::EgoMotion;
 use crate::recording::View;
@@ -242,7 +242,6 @@ impl Iterator for Walk<'_> {
                 break;
             }
             span.end = next.end;
-            span.abreast |= next.abreast;
         }
         Some(span)
     }
@@ -250,7 +249,8 @@ impl Iterator for Walk<'_> {
 
 const KEPT: usize = 8;
 
-/// The spans of [0, horizon], from the first to the last: the first few as found, the rest derived again on each pass.
+/// The spans of [0, horizon], from the first to the last: the first few as found, the rest derived again on each
+/// pass.
 #[derive(Clone, Debug)]
 pub(crate) struct Spans<'a> {
     first: [Span; KEPT],

@@ -11,7 +11,8 @@
 //! | s | gap: the ego's front bumper at t_0 to the actor's rear bumper at t_n | m |
 //! | v_a | speed of the actor along the ego's path | m/s |
 //!
-//! Each holds within [`TOLERANCE`]: without it the jumps of Eq. 3 end one rounding error short of the line they aim at.
+//! Each holds within [`TOLERANCE`]: without it the jumps of Eq. 3 end one rounding error short of the line they aim
+//! at.
 
 /// [m, m/s] how far a constraint may be missed.
 pub const TOLERANCE: f64 = 1e-9;

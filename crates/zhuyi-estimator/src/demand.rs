@@ -4,9 +4,10 @@
 //!  l_camera = min over the actors it covers of l_actor,   FPR = 1 / l_camera
 //! ```
 //!
-//! An actor counts for every camera that has its centre or a corner in view at t_0, with the latency at which that camera runs now as
-//! l_0. A camera that covers nobody may take the largest latency. An actor alongside is helped by no rate: it is counted and
-//! asks for nothing. Left out: occlusion; [`Estimator::demands_where`] takes any other rule of who counts.
+//! An actor counts for every camera that has its centre or a corner in view at t_0, with the latency at which that
+//! camera runs now as l_0. A camera that covers nobody may take the largest latency. An actor alongside is helped
+//! by no rate: it is counted and asks for nothing. Left out: occlusion; [`Estimator::demands_where`] takes any
+//! other rule of who counts.
 
 use crate::estimate::State;
 use crate::grid::fpr;
@@ -40,8 +41,8 @@ pub struct Demand {
 }
 
 impl Estimator {
-    /// The demand on each camera of a rig, in its order. `estimate` answers for an actor at a current latency l_0; it is
-    /// asked once per actor and different l_0, and not at all for actors out of everyone's sight.
+    /// The demand on each camera of a rig, in its order. `estimate` answers for an actor at a current latency l_0;
+    /// it is asked once per actor and different l_0, and not at all for actors out of everyone's sight.
     ///
     /// A front camera covers the car ahead, which tolerates 0.25 s: 4 FPR. The rear one covers nobody: 1 FPR.
     /// ```

@@ -16,10 +16,11 @@
 //! | a_0 | acceleration at t_0 = 0, signed | m/s2 |
 //! | d(t), v_e(t) | distance covered since t_0, speed | m, m/s |
 //!
-//! Source: paper, "Estimating Tolerable Latency Per Actor"; the paper prints K (l - l_0) without the max, which makes t_r
-//! negative below l_0. Left out: a limit on a_b, jerk and actuator lag. A vehicle never reverses.
+//! Source: paper, "Estimating Tolerable Latency Per Actor"; the paper prints K (l - l_0) without the max, which
+//! makes t_r negative below l_0. Left out: a limit on a_b, jerk and actuator lag. A vehicle never reverses.
 
-/// [s] t_r, from the exposure of the first frame to the braking, at `latency` while the camera now runs at `current_latency`.
+/// [s] t_r, from the exposure of the first frame to the braking, at `latency` while the camera now runs at
+/// `current_latency`.
 ///
 /// l = 0.2 s, l_0 = 0.1 s, K = 5: 0.2 + 5 x 0.1 = 0.7 s. Below l_0 the confirmation adds nothing.
 /// ```
@@ -44,8 +45,8 @@ pub fn braking_decel(accel: f64, c3: f64, c4: f64) -> f64 {
     if accel < 0.0 { c3.max(c4 * -accel) } else { c3 }
 }
 
-/// The state of the ego at t_0, freed of what its motion cannot have: it does not roll backwards, and standing it has no
-/// acceleration (reading R12).
+/// The state of the ego at t_0, freed of what its motion cannot have: it does not roll backwards, and standing it
+/// has no acceleration (reading R12).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start {
     /// [m/s] v_e0.
@@ -97,8 +98,8 @@ pub struct EgoMotion {
 impl EgoMotion {
     /// Hold the acceleration until `reaction_time`, then brake by `decel`.
     ///
-    /// 20 m/s, no acceleration, t_r = 1 s, a_b = 5 m/s2: after 3 s it has gone 20 + 2 (20 + 10)/2 = 50 m and drives 10 m/s;
-    /// it stands after 5 s and 60 m.
+    /// 20 m/s, no acceleration, t_r = 1 s, a_b = 5 m/s2: after 3 s it has gone 20 + 2 (20 + 10)/2 = 50 m and drives
+    /// 10 m/s; it stands after 5 s and 60 m.
     /// ```
     /// use zhuyi_estimator::ego_motion::{EgoMotion, Start};
     /// let ego = EgoMotion::new(Start::new(20.0, 0.0), 1.0, 5.0);

@@ -1,13 +1,13 @@
 //! One ego and one future of one actor: what every candidate latency shares, and the walk along it in time.
 //!
-//! "No collision during t_n" is read as no pass-through (reading R6): `d(t) <= s(t)` at every conflict time in [0, t_n] at which
-//! the bodies overlap sideways. While a_0 is held the ego's motion is the same for every latency, so contact before t_r is looked
-//! for once, up to the longest reaction.
+//! "No collision during t_n" is read as no pass-through (reading R6): `d(t) <= s(t)` at every conflict time in [0,
+//! t_n] at which the bodies overlap sideways. While a_0 is held the ego's motion is the same for every latency, so
+//! contact before t_r is looked for once, up to the longest reaction.
 
 use crate::conflict::{Corridor, Span, Spans, Zone};
 use crate::ego_motion::{EgoMotion, Phase, Start, braking_decel};
 use crate::recording::{ALONG_BLOCKS, View};
-use crate::stretch::{Margins, Outline, Stretch};
+use crate::stretch::{Datum, Margins, Outline, Stretch};
 use crate::{Ego, Params};
 use zhuyi_core::Footprint;
 
@@ -23,7 +23,7 @@ pub(crate) struct Encounter<'a> {
     pub margins: Margins,
     pub spans: Spans<'a>,
     view: View<'a>,
-    origin: f64,
+    datum: Datum,
     held_contact: Option<f64>,
 }
 
@@ -64,7 +64,10 @@ impl<'a> Encounter<'a> {
             },
             spans,
             view,
-            origin: ego.s + corridor.half.0,
+            datum: Datum {
+                now: view.future.now,
+                origin: ego.s + corridor.half.0,
+            },
             held_contact: None,
         };
         encounter.held_contact =
@@ -85,7 +88,8 @@ impl<'a> Encounter<'a> {
         EgoMotion::new(self.start, reaction_time, self.decel)
     }
 
-    /// Whether any kept stay of the actor in the corridor begins with the bodies overlapping lengthwise (reading R8).
+    /// Whether any kept stay of the actor in the corridor begins with the bodies overlapping lengthwise (reading
+    /// R8).
     pub fn abreast(&self) -> bool {
         self.spans.iter().any(|span| span.abreast)
     }
@@ -95,7 +99,8 @@ impl<'a> Encounter<'a> {
         self.decel >= -self.start.accel
     }
 
-    /// The first time in [from, to] at which the ego's front passes the actor's rear while the bodies overlap sideways.
+    /// The first time in [from, to] at which the ego's front passes the actor's rear while the bodies overlap
+    /// sideways.
     pub fn first_contact(&self, motion: &EgoMotion, from: f64, to: f64) -> Option<f64> {
         for span in self.spans.iter() {
             if span.start > to {
@@ -116,10 +121,11 @@ impl<'a> Encounter<'a> {
     pub fn actor(&self, time: f64) -> (f64, f64) {
         let future = &self.view.future;
         let (piece, at) = (&future.along[future.along_index(time)], time + future.now);
-        (piece.s_at(at) - self.origin, piece.v_at(at))
+        (piece.s_at(at) - self.datum.origin, piece.v_at(at))
     }
 
-    /// Visits the stretches of [from, to] in order until `visit` finds something; passes over what `skip` says cannot matter.
+    /// Visits the stretches of [from, to] in order until `visit` finds something; passes over what `skip` says
+    /// cannot matter.
     #[inline]
     pub fn walk<T>(
         &self,
@@ -166,7 +172,8 @@ impl<'a> Encounter<'a> {
         None
     }
 
-    /// Where the search may go on if all that is left of a block in [start, until] cannot matter: a time and a piece.
+    /// Where the search may go on if all that is left of a block in [start, until] cannot matter: a time and a
+    /// piece.
     #[inline]
     fn pass_over(
         &self,
@@ -175,24 +182,18 @@ impl<'a> Encounter<'a> {
         (start, until): (f64, f64),
         skip: impl Fn(&Outline) -> bool,
     ) -> Option<(f64, usize)> {
-        let now = self.view.future.now;
+        let now = self.datum.now;
         for (blocks, size) in self.view.along.iter().zip(ALONG_BLOCKS) {
             let Some(block) = blocks.get(index / size) else {
                 continue;
             };
-            let (fit_start, end) = (block.fit.time - now, (block.end - now).min(until));
-            if fit_start <= start
-                && skip(&Outline::new(
-                    start,
-                    end,
-                    block,
-                    fit_start,
-                    self.origin,
-                    phase,
-                ))
-            {
+            // Before the list begins its first piece is extended backwards, the block is not.
+            let begun = block.fit.time <= start + now;
+            let end = (block.end - now).min(until);
+            if begun && skip(&Outline::new(start, end, block, self.datum, phase)) {
+                let behind = (index / size + 1) * size;
                 let next = if end < until {
-                    (index / size + 1) * size
+                    behind
                 } else {
                     self.view.future.along_index(end)
                 };
@@ -204,13 +205,11 @@ impl<'a> Encounter<'a> {
 
     #[inline]
     fn stretch(&self, index: usize, phase: &Phase, start: f64, end: f64) -> Stretch {
-        let piece = &self.view.future.along[index];
         Stretch::new(
             start,
             end,
-            piece,
-            piece.time - self.view.future.now,
-            self.origin,
+            &self.view.future.along[index],
+            self.datum,
             phase,
         )
     }

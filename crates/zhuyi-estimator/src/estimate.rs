@@ -1,7 +1,7 @@
 //! Question and answer for one actor on one trajectory (reading R12).
 //!
-//! The answer is the largest latency of the grid for which a t_n in [t_r, horizon] exists, or why there is none, and which
-//! constraint refused the next larger latency.
+//! The answer is the largest latency of the grid for which a t_n in [t_r, horizon] exists, or why there is none,
+//! and which constraint refused the next larger latency.
 
 use crate::grid::{MAX_FPR, fpr};
 use zhuyi_core::Footprint;
@@ -52,19 +52,22 @@ pub enum Binding {
 pub struct Estimate {
     /// What kind of answer.
     pub state: State,
-    /// [s] the tolerable latency; the largest of the grid where there is no conflict, none where nothing is tolerable.
+    /// [s] the tolerable latency; the largest of the grid where there is no conflict, none where nothing is
+    /// tolerable.
     pub latency: Option<f64>,
     /// [s] the t_n that made it tolerable, from t_0; the criterion `standstill` has none.
     pub t_n: Option<f64>,
-    /// What refused the next larger latency of the grid, if anything did.
+    /// What refused the next larger latency of the grid; where even the smallest is refused, what refused that
+    /// (unavoidable: braking at once). None if there is none larger, or if nothing speaks against it and the
+    /// paper's jumps missed its t_n.
     pub binding: Option<Binding>,
     /// [s] how much of the horizon lies beyond what is known of the actor's future.
     pub extrapolated: f64,
 }
 
 impl Estimate {
-    /// [Hz] the frame processing rate asked for: 1/l, at most 30, and 30 where no latency of the grid will do. None for an actor
-    /// alongside, which no rate helps.
+    /// [Hz] the frame processing rate asked for: 1/l, at most 30, and 30 where no latency of the grid will do. None
+    /// for an actor alongside, which no rate helps.
     ///
     /// ```
     /// use zhuyi_estimator::{Estimate, State};

@@ -8,7 +8,8 @@ use crate::recording::{Recording, View};
 use crate::{Ego, Estimate, Future, Params, State};
 use zhuyi_core::Footprint;
 
-/// The Zhuyi model with its parameters and its list of latencies. It holds no state: the same question has the same answer.
+/// The Zhuyi model with its parameters and its list of latencies. It holds no state: the same question has the same
+/// answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimator {
     params: Params,
@@ -46,8 +47,9 @@ impl Estimator {
 
     /// The tolerable latency of one actor on one trajectory, while the camera runs at `current_latency` (l_0).
     ///
-    /// A car stands 50 m ahead of an ego at 10 m/s. Eq. 1 leaves it 45 m, of which braking at 4.9 m/s2 takes 10.2; the other
-    /// 34.8 m are 3.48 s of reaction, and `l + 5 (l - 1/30) <= 3.48` makes l at most 0.607: 0.604 s on the grid.
+    /// A car stands 50 m ahead of an ego at 10 m/s. Eq. 1 leaves it 45 m, of which braking at 4.9 m/s2 takes 10.2;
+    /// the other 34.8 m are 3.48 s of reaction, and `l + 5 (l - 1/30) <= 3.48` makes l at most 0.607: 0.604 s on
+    /// the grid.
     /// ```
     /// use zhuyi_core::{Across, Along, Footprint};
     /// use zhuyi_estimator::{Binding, Ego, Estimator, Future, Params, State};

@@ -1,7 +1,8 @@
 //! The solver `exact`: the first t_n in continuous time (readings R5, R6, R8, R9), no stepping.
 //!
-//! It walks over the stretches of [t_r, horizon] in order. On each the first x that meets both constraints and the first x of
-//! contact are roots of quadratics; whichever comes first decides. What a stretch asks for depends on its zone:
+//! It walks over the stretches of [t_r, horizon] in order. On each the first x that meets both constraints and the
+//! first x of contact are roots of quadratics; whichever comes first decides. What a stretch asks for depends on
+//! its zone:
 //!
 //! | zone | t_n may lie here if | contact ends the search |
 //! |---|---|---|
@@ -10,8 +11,8 @@
 //! | conflict, overlapping sideways | Eq. 1 and 2 hold | yes |
 //! | after, outside the corridor | there is no contact in the whole of [0, horizon] | no |
 //!
-//! Law: with `a_b >= -a_0` (always so for C4 >= 1) an ego that reacts earlier is at no time further or faster, so a latency
-//! below a tolerable one is tolerable, and the largest one can be found by bisection.
+//! Law: with `a_b >= -a_0` (always so for C4 >= 1) an ego that reacts earlier is at no time further or faster, so a
+//! latency below a tolerable one is tolerable, and the largest one can be found by bisection.
 
 use crate::conflict::Zone;
 use crate::ego_motion::EgoMotion;
@@ -69,7 +70,8 @@ fn first_event(
     })
 }
 
-/// Both constraints are met at `met`; a time outside the corridor before that counts if no contact comes later either.
+/// Both constraints are met at `met`; a time outside the corridor before that counts if no contact comes later
+/// either.
 fn earliest(encounter: &Encounter<'_>, motion: &EgoMotion, after: Option<f64>, met: f64) -> f64 {
     match after {
         Some(time)

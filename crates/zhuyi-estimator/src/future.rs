@@ -1,8 +1,8 @@
 //! One future of an actor as the estimator reads it: borrowed pieces on their own clock, seen from t_0 = `now`.
 //!
-//! A recorded run is one long list; every t_0 of the run borrows the same list with another `now`. Times in this crate count
-//! from t_0. Before the first piece it is extended backwards, after the last one it goes on for ever. Lists should be as short
-//! as exactness allows: a long stretch of one acceleration is one piece.
+//! A recorded run is one long list; every t_0 of the run borrows the same list with another `now`. Times in this
+//! crate count from t_0. Before the first piece it is extended backwards, after the last one it goes on for ever.
+//! Lists should be as short as exactness allows: a long stretch of one acceleration is one piece.
 
 use zhuyi_core::{Across, Along, Trajectory};
 

@@ -1,8 +1,8 @@
 //! The candidate latencies (reading R4), a fixed list from the largest to the smallest.
 //!
-//! The paper steps from 1 s down by 33 ms to 33 ms, and calls that 30 steps. Taken by the letter that is
-//! 1, 0.967, 0.934, .., 0.043 and then the smallest allowed, 0.033: 31 latencies. The numbers of its table are reciprocals
-//! of these (4.8 = 1/0.208, 5.7 = 1/0.175).
+//! The paper steps from 1 s down by 33 ms to 33 ms, and calls that 30 steps. Taken by the letter that is 1, 0.967,
+//! 0.934, .., 0.043 and then the smallest allowed, 0.033: 31 latencies. The numbers of its table are reciprocals of
+//! these (4.8 = 1/0.208, 5.7 = 1/0.175).
 
 use crate::Grid;
 

@@ -1,11 +1,12 @@
 //! The verdict on one reaction time, by either solver and either criterion, and what speaks against a refused one.
 //!
-//! A latency is refused when no t_n exists. That is put down to pass-through where a t_n would exist but for contact (reading R6),
-//! to the speed (Eq. 2) where the ego is never slow enough, and to the distance (Eq. 1) otherwise.
+//! A latency is refused when no t_n exists. That is put down to pass-through where a t_n would exist but for
+//! contact (reading R6), to the speed (Eq. 2) where the ego is never slow enough, and to the distance (Eq. 1)
+//! otherwise.
 
 use crate::conflict::Zone;
 use crate::encounter::{Encounter, overlap};
-use crate::stretch::Stretch;
+use crate::stretch::{Outline, Stretch};
 use crate::{Binding, Criterion, Solver, exact, paper};
 
 /// How a reaction time is judged.
@@ -49,30 +50,30 @@ impl Judge<'_> {
         !jumps && self.encounter.earlier_is_better()
     }
 
-    /// What refuses a reaction time that is not tolerable; `None` if it leaves no time in the horizon at all.
+    /// What refuses a reaction time that is not tolerable; `None` if it leaves no time in the horizon at all, or if
+    /// nothing does and the jumps missed every t_n.
     pub fn refusal(&self, reaction_time: f64) -> Option<Binding> {
-        if reaction_time > self.encounter.horizon {
-            return None;
-        }
+        let encounter = self.encounter;
         if self.criterion == Criterion::Standstill {
             return Some(Binding::PassThrough);
         }
-        let (encounter, motion) = (self.encounter, self.encounter.motion(reaction_time));
-        let margins = encounter.margins;
+        let missed = || exact::first_time(encounter, reaction_time).is_some();
+        if reaction_time > encounter.horizon || (self.solver == Solver::Paper && missed()) {
+            return None;
+        }
+        let (motion, margins) = (encounter.motion(reaction_time), encounter.margins);
+        let hopeless = |outline: &Outline| outline.is_unmet(margins);
+        let met = |stretch: &Stretch| stretch.first_met(margins, stretch.length);
+        let slow = |stretch: &Stretch| stretch.ever_slow_enough(margins).then_some(());
         let mut slow_enough = false;
         for span in encounter.spans.iter() {
             let Some((from, to)) = overlap(&span, reaction_time, encounter.horizon) else {
                 continue;
             };
-            let met = |stretch: &Stretch| stretch.first_met(margins, stretch.length);
-            if span.zone == Zone::After
-                || encounter
-                    .walk(&motion, from, to, |outline| outline.is_unmet(margins), met)
-                    .is_some()
-            {
+            let outside = span.zone == Zone::After;
+            if outside || encounter.walk(&motion, from, to, hopeless, met).is_some() {
                 return Some(Binding::PassThrough);
             }
-            let slow = |stretch: &Stretch| stretch.ever_slow_enough(margins).then_some(());
             // Standing is slow enough for anything.
             slow_enough |= motion.stands_from() <= to
                 || encounter.walk(&motion, from, to, |_| false, slow).is_some();

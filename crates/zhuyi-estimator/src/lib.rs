@@ -17,17 +17,18 @@
 //! | one actor, several futures with probabilities | [`Estimator::forecast`] |
 //! | all cameras | [`Estimator::demands`] |
 //!
-//! The answer is an [`Estimate`]: a [`State`], the tolerable latency where there is one, the time t_n that made it so, and what
-//! refused the next larger latency. [`Estimate::fpr`] turns it into frames per second.
+//! The answer is an [`Estimate`]: a [`State`], the tolerable latency where there is one, the time t_n that made it
+//! so, and what refused the next larger latency. [`Estimate::fpr`] turns it into frames per second.
 //!
-//! What the model guarantees, each with a test: an ego that follows the procedure (hold for t_r, then brake) at the tolerable
-//! latency touches nobody up to t_n, under [`Criterion::Standstill`] for good; a larger gap, fewer frames to confirm or harder
-//! braking never lower the latency; only differences in place and time count; the paper's jumps never tolerate more than the
-//! exact solver. The answer to a question depends on nothing but the question, and asking about one future allocates nothing.
+//! What the model guarantees, each with a test: an ego that follows the procedure (hold for t_r, then brake) at the
+//! tolerable latency touches nobody up to t_n, under [`Criterion::Standstill`] for good; a larger gap, fewer frames
+//! to confirm or harder braking never lower the latency; only differences in place and time count; the paper's
+//! jumps never tolerate more than the exact solver. The answer to a question depends on nothing but the question,
+//! and asking about one future allocates nothing.
 //!
-//! Source: "Zhuyi: Perception Processing Rate Estimation for Safety in Autonomous Vehicles" (DAC 2022). "Reading R1" and so on
-//! name the places where the paper leaves a choice, and the choice taken. Left out, as in the paper: steering as a way out,
-//! limits of the brakes, uncertainty of what is perceived, actors not yet seen.
+//! Source: "Zhuyi: Perception Processing Rate Estimation for Safety in Autonomous Vehicles" (DAC 2022). "Reading
+//! R1" and so on name the places where the paper leaves a choice, and the choice taken. Left out, as in the paper:
+//! steering as a way out, limits of the brakes, uncertainty of what is perceived, actors not yet seen.
 
 pub mod aggregation;
 pub mod constraints;

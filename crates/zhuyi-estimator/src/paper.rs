@@ -7,9 +7,10 @@
 //!    min(dt_d, dt_v)                                       when both are
 //! ```
 //!
-//! Contact (reading R6) and times outside the corridor (R9) are checked in continuous time, as in the exact solver. Left out of
-//! the printed equation: its overlapping conditions and a sign; the text says that the step is computed from what is unmet.
-//! Where both constraints hold and contact alone refuses t_n, there is nothing to jump by and the latency is refused.
+//! Contact (reading R6) and times outside the corridor (R9) are checked in continuous time, as in the exact solver.
+//! Left out of the printed equation: its overlapping conditions and a sign; the text says that the step is computed
+//! from what is unmet. Where both constraints hold and contact alone refuses t_n, there is nothing to jump by and
+//! the latency is refused.
 
 use crate::conflict::Zone;
 use crate::constraints::{TOLERANCE, distance_slack, speed_slack};

@@ -1,7 +1,7 @@
 //! The first root of a quadratic in a window, without cancellation.
 //!
-//! Both solvers ask two questions of a quadratic `p(x) = c0 + c1 x + c2 x^2` on `[0, end]`: when is it first at least zero
-//! (a constraint becomes met), and when does it first fall below zero (contact). A root is computed as
+//! Both solvers ask two questions of a quadratic `p(x) = c0 + c1 x + c2 x^2` on `[0, end]`: when is it first at
+//! least zero (a constraint becomes met), and when does it first fall below zero (contact). A root is computed as
 //! `2 c0 / (-c1 + sqrt(c1^2 - 4 c0 c2))` or by the other form, whichever adds numbers of one sign.
 
 /// `c0 + c1 x + c2 x^2`.

@@ -1,9 +1,10 @@
 //! A long trajectory that is asked from many instants, with a coarse view of it.
 //!
-//! A recorded run has a piece every 10 ms, and every step of the run asks about the 20 s that follow. So a block of pieces is also
-//! kept as one piece with an error: a quadratic for s and a line for v, and how far the true ones stray from them. Where even with the
-//! error neither contact nor a time that meets the constraints is possible, the search passes over the block at once. This only ever
-//! saves work: what a block cannot rule out is looked at piece by piece, and the answer is that of the plain list.
+//! A recorded run has a piece every 10 ms, and every step of the run asks about the 20 s that follow. So a block of
+//! pieces is also kept as one piece with an error: a quadratic for s and a line for v, and how far the true ones
+//! stray from them. Where even with the error neither contact nor a time that meets the constraints is possible,
+//! the search passes over the block at once. This only ever saves work: what a block cannot rule out is looked at
+//! piece by piece, and the answer is that of the plain list.
 
 use crate::Future;
 use zhuyi_core::{Across, Along, Trajectory};
@@ -204,4 +205,44 @@ fn across_block((pieces, behind): (&[Across], &Across)) -> AcrossBlock {
         }
     }
     block
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{along_block, rate_at};
+    use zhuyi_core::Along;
+
+    /// Seven short pieces and a long one in which the actor brakes, stands and turns back: the furthest point lies
+    /// inside the long one.
+    #[test]
+    fn hand_the_error_of_a_block_holds_inside_its_pieces() {
+        let mut pieces = vec![Along::constant_accel(0.0, 0.0, 10.0, 1.0)];
+        for count in 1..8 {
+            let (last, time) = (pieces[count - 1], 0.05 * count as f64);
+            let accel = if count == 7 { -9.0 } else { 1.0 };
+            pieces.push(Along::constant_accel(
+                time,
+                last.s_at(time),
+                rate_at(&last, time),
+                accel,
+            ));
+        }
+        let behind = Along::constant_accel(3.0, 0.0, 0.0, 0.0);
+        let block = along_block((&pieces, &behind));
+        let mut furthest = 0.0;
+        for step in 0..3000 {
+            let time = f64::from(step) / 1000.0;
+            let place = pieces.iter().rposition(|piece| piece.time <= time).unwrap();
+            let s = (pieces[place].s_at(time) - block.fit.s_at(time)).abs();
+            let v = (pieces[place].v_at(time) - block.fit.v_at(time)).abs();
+            assert!(
+                s <= block.s_error && v <= block.v_error,
+                "at {time}: {s} m, {v} m/s, {block:?}"
+            );
+            if s > furthest {
+                furthest = s;
+            }
+        }
+        assert!(furthest > 0.99 * block.s_error, "{furthest} {block:?}");
+    }
 }

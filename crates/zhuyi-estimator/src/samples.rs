@@ -1,6 +1,7 @@
 //! A future given as samples (t, s, d, v), as recordings and predictors deliver them (reading R10).
 //!
-//! Between two samples s, d and v are each interpolated linearly; past the last one the actor keeps its last speed and offset.
+//! Between two samples s, d and v are each interpolated linearly; past the last one the actor keeps its last speed
+//! and offset.
 
 use zhuyi_core::{Across, Along, Trajectory};
 

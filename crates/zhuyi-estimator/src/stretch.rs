@@ -1,14 +1,24 @@
-//! Time cut so finely that the ego and the actor each follow one polynomial, and what the constraints are on such a piece.
+//! Time cut so finely that the ego and the actor each follow one polynomial, and what the constraints are on such a
+//! piece.
 //!
-//! On a stretch of local time x in [0, length] the gap is a quadratic, the actor's speed a line, the ego's distance a quadratic
-//! and its speed a line. So each of Eq. 1, Eq. 2 and the absence of contact (reading R6) is a polynomial of degree two at most,
-//! and the first x that meets or breaks it is a root.
+//! On a stretch of local time x in [0, length] the gap is a quadratic, the actor's speed a line, the ego's distance
+//! a quadratic and its speed a line. So each of Eq. 1, Eq. 2 and the absence of contact (reading R6) is a
+//! polynomial of degree two at most, and the first x that meets or breaks it is a root.
 
 use crate::constraints::TOLERANCE;
 use crate::ego_motion::Phase;
 use crate::quadratic::Quadratic;
 use crate::recording::AlongBlock;
 use zhuyi_core::Along;
+
+/// What time and place are counted from.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Datum {
+    /// [s] t_0 on the clock of the lists.
+    pub now: f64,
+    /// [m] the `s` of the actor's centre at which its rear bumper is where the ego's front bumper is at t_0.
+    pub origin: f64,
+}
 
 /// Ego and actor on one piece of time; all polynomials are in x = t - start.
 #[derive(Clone, Copy, Debug)]
@@ -24,18 +34,11 @@ pub(crate) struct Stretch {
 }
 
 impl Stretch {
-    /// `piece` starts `piece_start` after t_0; the gap is measured from `origin`, the `s` at which bumper meets bumper at t_0.
-    pub fn new(
-        start: f64,
-        end: f64,
-        piece: &Along,
-        piece_start: f64,
-        origin: f64,
-        phase: &Phase,
-    ) -> Self {
-        let (x, y) = (start - piece_start, start - phase.start);
+    /// From `start` to `end`, within one piece of the actor and one phase of the ego.
+    pub fn new(start: f64, end: f64, piece: &Along, datum: Datum, phase: &Phase) -> Self {
+        let (x, y) = (start + datum.now - piece.time, start - phase.start);
         let s = Quadratic {
-            c0: piece.s - origin,
+            c0: piece.s - datum.origin,
             c1: piece.s_rate,
             c2: piece.s_half_accel,
         };
@@ -124,16 +127,9 @@ pub(crate) struct Outline {
 }
 
 impl Outline {
-    /// Over [start, end], within one phase of the ego; the block's fit starts `fit_start` after t_0.
-    pub fn new(
-        start: f64,
-        end: f64,
-        block: &AlongBlock,
-        fit_start: f64,
-        origin: f64,
-        phase: &Phase,
-    ) -> Self {
-        let stretch = Stretch::new(start, end, &block.fit, fit_start, origin, phase);
+    /// Over [start, end], within one block of the actor and one phase of the ego.
+    pub fn new(start: f64, end: f64, block: &AlongBlock, datum: Datum, phase: &Phase) -> Self {
+        let stretch = Stretch::new(start, end, &block.fit, datum, phase);
         Self {
             stretch,
             gap_error: block.s_error,

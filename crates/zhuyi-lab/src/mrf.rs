@@ -52,3 +52,33 @@ pub fn required(collisions: &[(u32, u32)]) -> Required {
     let safe_below = collisions[..safe_from].iter().filter(|(_, count)| *count == 0).map(|(rate, _)| *rate).collect();
     Required { mrf, safe_below }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hand_every_case_of_reading_r20() {
+        let cases: [(&[(u32, u32)], Mrf, &[u32]); 6] = [
+            (&[(1, 0), (2, 0), (3, 0)], Mrf::Rate(1), &[]),
+            (&[(1, 10), (2, 1), (3, 0)], Mrf::Rate(3), &[]),
+            // Not monotone: 1 and 3 do not collide, yet 4 does.
+            (&[(1, 0), (2, 5), (3, 0), (4, 1), (5, 0)], Mrf::Rate(5), &[1, 3]),
+            (&[(1, 10), (30, 1)], Mrf::Above(30), &[]),
+            // The highest collides: what is free of collisions below it is told all the same.
+            (&[(1, 0), (2, 0), (30, 1)], Mrf::Above(30), &[1, 2]),
+            // Rates that were not tested are not spoken of.
+            (&[(1, 1), (5, 0), (30, 0)], Mrf::Rate(5), &[]),
+        ];
+        for (collisions, mrf, safe_below) in cases {
+            let found = required(collisions);
+            assert_eq!((found.mrf, found.safe_below.as_slice()), (mrf, safe_below), "{collisions:?}");
+        }
+    }
+
+    #[test]
+    fn hand_more_than_the_highest_rate_is_spelt_so() {
+        assert_eq!(Mrf::Rate(6).to_string(), "6");
+        assert_eq!(Mrf::Above(30).to_string(), ">30");
+    }
+}

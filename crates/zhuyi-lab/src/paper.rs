@@ -14,6 +14,10 @@ pub const RATES: [u32; 12] = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 15, 30];
 pub struct Row {
     /// The scenario's name.
     pub scenario: String,
+    /// [mph] the ego's speed.
+    pub ego_speed: u32,
+    /// Which cameras have activity.
+    pub active: Active,
     /// The minimum required rate: 1 where the paper writes <1.
     pub mrf: u32,
     /// [FPR] largest estimate at each of [`RATES`].
@@ -22,6 +26,39 @@ pub struct Row {
     pub max_sum: f64,
     /// [-] that sum as a share of 90.
     pub fraction: f64,
+}
+
+/// The activity columns, one per direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Active {
+    /// Front.
+    pub front: bool,
+    /// Right.
+    pub right: bool,
+    /// Left.
+    pub left: bool,
+}
+
+impl Row {
+    /// The row of a scenario; none where the paper has none.
+    pub fn of(scenario: &str) -> Option<Self> {
+        rows().into_iter().find(|row| row.scenario == scenario)
+    }
+
+    /// The estimate at a rate; none where the paper has none.
+    pub fn estimate(&self, rate: u32) -> Option<f64> {
+        self.estimates[RATES.iter().position(|tested| *tested == rate)?]
+    }
+
+    /// The activity of cameras by the direction they look to, `front`, `right` or `left`; the paper has no others.
+    pub fn is_active(&self, direction: &str) -> Option<bool> {
+        match direction {
+            "front" => Some(self.active.front),
+            "right" => Some(self.active.right),
+            "left" => Some(self.active.left),
+            _ => None,
+        }
+    }
 }
 
 /// All rows, in the table's order.
@@ -36,8 +73,11 @@ fn row(line: &str) -> Row {
     let cells: Vec<&str> = line.split(',').collect();
     let number = |i: usize| cells[i].parse::<f64>().ok();
     let required = |i: usize| number(i).unwrap_or_else(|| panic!("the paper's table lacks column {i} in: {line}"));
+    let active = |i: usize| cells[i] == "yes";
     Row {
         scenario: cells[0].to_string(),
+        ego_speed: required(1) as u32,
+        active: Active { front: active(2), right: active(3), left: active(4) },
         mrf: if cells[5] == "<1" { 1 } else { required(5) as u32 },
         estimates: std::array::from_fn(|i| number(6 + i)),
         max_sum: required(18),

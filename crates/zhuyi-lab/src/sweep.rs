@@ -3,12 +3,19 @@
 //! A run is named by (scenario, rates, seed) and draws by name, so neither the number of threads nor the order of the cells can
 //! change a bit of it: the map is parallel, its result ordered, every reduction serial.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 use zhuyi_core::{ActorId, FrameRates, SimTime};
-use zhuyi_estimator::{Estimator, Params};
+use zhuyi_estimator::Estimator;
+use zhuyi_perception::Eye;
 use zhuyi_scenario::{Scenario, System};
+use zhuyi_sim::trace::{Row, Trace};
 use zhuyi_sim::{Draws, Extremes, Frames, Hindsight, Outcome, Peaks, Simulation};
 use zhuyi_world::Side;
+
+pub use crate::estimators::estimator;
+pub use crate::rates::uniform;
 
 /// What stays the same over a batch of runs.
 #[derive(Clone, Copy, Debug)]
@@ -39,10 +46,14 @@ pub struct Record {
     pub cell: Cell,
     /// The first contact; none when the run ended without one.
     pub collision: Option<Collision>,
+    /// When it ended.
+    pub end: SimTime,
     /// How close it was.
     pub extremes: Extremes,
     /// Frames of each camera, in the order of the rig.
     pub frames: Vec<Frames>,
+    /// Whether each camera ever had an actor in view, looked at every [`GLANCE`].
+    pub active: Vec<bool>,
     /// The demands of the run, one entry per estimator it was put to; empty when none was or the run collided.
     pub peaks: Vec<Peaks>,
 }
@@ -56,16 +67,38 @@ pub struct Collision {
     pub actor: ActorId,
     /// With which side of the ego.
     pub side: Side,
+    /// What it did to both; none where the crash solver has refused the state of a body.
+    pub impact: Option<Impact>,
+}
+
+/// A crash, in figures.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Impact {
     /// [m/s] closing speed at the contact.
-    pub impact_speed: f64,
+    pub speed: f64,
     /// [m/s] change of the ego's velocity by the impact.
     pub ego_delta_v: f64,
     /// [m/s] change of the other's velocity by the impact.
     pub other_delta_v: f64,
 }
 
+/// How many rows of a trace apart cameras are asked whether they are active: 0.1 s.
+pub const GLANCE: usize = 10;
+
+/// Every scenario of `scenarios` at every one of `rates` with every one of `seeds`; scenarios outermost, seeds innermost.
+pub fn grid(scenarios: usize, rates: &[FrameRates], seeds: Range<u64>) -> Vec<Cell> {
+    let mut cells = Vec::new();
+    for scenario in 0..scenarios {
+        for rates in rates {
+            cells.extend(seeds.clone().map(|seed| Cell { scenario, rates: rates.clone(), seed }));
+        }
+    }
+    cells
+}
+
 impl Experiment<'_> {
-    /// Runs every cell; `estimators` gives those that a cell's run is put to. `done` is called after each run, from any thread.
+    /// Runs every cell, in parallel; the records stand in the order of the cells. `estimators` gives those that a cell's run is
+    /// put to. `done` is called after each run, from any thread.
     pub fn run<'e>(
         &self,
         cells: &[Cell],
@@ -87,14 +120,7 @@ impl Experiment<'_> {
         let run = Simulation::new(scenario, self.system, &cell.rates, draws).run();
         let collision = match &run.outcome {
             Outcome::Completed => None,
-            Outcome::Collision(c) => Some(Collision {
-                time: c.time,
-                actor: c.actor,
-                side: c.side,
-                impact_speed: c.crash.as_ref().map_or(f64::NAN, |crash| crash.impact_speed),
-                ego_delta_v: c.crash.as_ref().map_or(f64::NAN, |crash| crash.ego.delta_v),
-                other_delta_v: c.crash.as_ref().map_or(f64::NAN, |crash| crash.other.delta_v),
-            }),
+            Outcome::Collision(collision) => Some(Collision::from(collision)),
         };
         let peaks = if collision.is_some() || estimators.is_empty() {
             Vec::new()
@@ -102,18 +128,33 @@ impl Experiment<'_> {
             let hindsight = Hindsight::new(&run.trace, self.system);
             estimators.iter().map(|estimator| hindsight.peaks(estimator)).collect()
         };
-        Record { cell: cell.clone(), collision, extremes: run.extremes(), frames: run.frames, peaks }
+        Record {
+            cell: cell.clone(),
+            end: collision.as_ref().map_or(scenario.duration, |collision| collision.time),
+            collision,
+            extremes: run.extremes(),
+            active: self.active(&run.trace),
+            frames: run.frames,
+            peaks,
+        }
+    }
+
+    fn active(&self, trace: &Trace) -> Vec<bool> {
+        let sees = |eye: &Eye| {
+            let covers = |row: Row<'_>| row.actors.iter().any(|body| eye.camera.covers_body(row.ego.pose, body));
+            trace.rows().step_by(GLANCE).any(covers)
+        };
+        self.system.perception.eyes.iter().map(sees).collect()
     }
 }
 
-/// The estimator of a system with other parameters.
-pub fn estimator(system: &System, change: impl FnOnce(&mut Params)) -> Estimator {
-    let mut params = system.estimator.clone();
-    change(&mut params);
-    Estimator::new(params)
-}
-
-/// The same rate on every camera of a system.
-pub fn uniform(system: &System, fps: u32) -> FrameRates {
-    FrameRates::new(vec![f64::from(fps); system.perception.eyes.len()])
+impl From<&zhuyi_sim::Collision> for Collision {
+    fn from(collision: &zhuyi_sim::Collision) -> Self {
+        let impact = collision.crash.as_ref().ok().map(|crash| Impact {
+            speed: crash.impact_speed,
+            ego_delta_v: crash.ego.delta_v,
+            other_delta_v: crash.other.delta_v,
+        });
+        Self { time: collision.time, actor: collision.actor, side: collision.side, impact }
+    }
 }

@@ -23,6 +23,8 @@ pub struct Planner {
     pub release_below: f64,
     /// [m/s2] hardest braking asked for.
     pub max_decel: f64,
+    /// [m/s2] deceleration that would just avoid a contact, above which a lane change is begun instead.
+    pub evade_above: f64,
     /// [m] gap that hard braking aims to keep at its end.
     pub standstill_gap: f64,
     /// [s] how far ahead a forecast is looked at for the actor's entry into the ego's corridor.

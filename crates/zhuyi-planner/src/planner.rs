@@ -92,10 +92,10 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// The evasive lane change, when not even the hardest braking avoids the contact and a lane is free.
+    /// The evasive lane change, when the contact would take more braking than the planner trusts and a lane is free.
     fn evasion(&self, ego: &Body, tracks: &[Track], forecasts: &[Forecast], time: f64) -> Option<LaneChange> {
         let (required, threat) = self.hardest(ego, tracks, forecasts, time, 0.0);
-        if required <= self.params.max_decel || self.evading(time) {
+        if required <= self.params.evade_above || self.evading(time) {
             return None;
         }
         let situation = Situation { params: self.params, road: self.road, ego, tracks, forecasts, now: time };

@@ -84,7 +84,7 @@ pub enum Conflict {
         before: f64,
     },
     /// A time that does not come.
-    #[error("the run ends at {end} s, before {at} s")]
+    #[error("the run is over at {end} s, got {at} s")]
     AfterEnd {
         /// [s] this time.
         at: f64,

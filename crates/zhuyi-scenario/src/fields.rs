@@ -44,7 +44,10 @@ impl<'a> Fields<'a> {
 
     /// A field, if the file or a setting has it.
     pub(crate) fn optional(&self, name: &'static str) -> Option<Node<'a>> {
-        self.asked.borrow_mut().push(name);
+        let mut asked = self.asked.borrow_mut();
+        if !asked.contains(&name) {
+            asked.push(name);
+        }
         self.node.below(name, self.parts.field(name))
     }
 
@@ -137,26 +140,19 @@ impl<'a> Fields<'a> {
         let asked = self.asked.borrow();
         let mut missing = self.missing.take();
         for (index, (key, _)) in self.parts.fields.iter().enumerate() {
-            if let Some((first, _)) = self.parts.fields[..index]
-                .iter()
-                .find(|(earlier, _)| earlier == key)
-            {
+            let mut earlier = self.parts.fields[..index].iter();
+            if let Some((first, _)) = earlier.find(|(earlier, _)| earlier == key) {
                 self.node.refuse_again(key, first);
             } else if !asked.contains(key) {
-                let meant = did_you_mean(key, missing.iter().flatten().copied());
+                let needed = did_you_mean(key, missing.iter().flatten().copied());
+                missing.retain(|names| needed.is_none_or(|needed| !names.contains(&needed)));
                 let absent = asked
                     .iter()
                     .copied()
                     .filter(|name| self.parts.field(name).is_none());
-                self.node.refuse_key(
-                    key,
-                    Rule::unknown(
-                        "field",
-                        key,
-                        meant.map_or_else(|| absent.collect(), |meant| vec![meant]),
-                    ),
-                );
-                missing.retain(|names| !meant.is_some_and(|meant| names.contains(&meant)));
+                let nearest = needed.or_else(|| did_you_mean(key, absent));
+                let rule = Rule::misspelt("field", key, nearest, asked.iter().copied());
+                self.node.refuse_key(key, rule);
             }
         }
         for names in missing {

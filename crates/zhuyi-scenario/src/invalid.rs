@@ -157,6 +157,16 @@ pub enum Rule {
         /// The number.
         got: String,
     },
+    /// A list with too few or too many entries.
+    #[error("`{name}` must have {limits} entries, got {got}")]
+    Count {
+        /// The list.
+        name: String,
+        /// How many it may have.
+        limits: String,
+        /// How many it has.
+        got: usize,
+    },
     /// A field that is not there.
     #[error("{of} needs `{name}`")]
     Missing {
@@ -197,14 +207,25 @@ pub enum Rule {
 }
 
 impl Rule {
-    /// An unknown name with what it may have meant.
+    /// An unknown name with what is known there.
     pub(crate) fn unknown<'a>(
         what: &'static str,
         got: &str,
         known: impl IntoIterator<Item = &'a str>,
     ) -> Self {
-        let known: Vec<String> = known.into_iter().map(ToString::to_string).collect();
-        let nearest = did_you_mean(got, known.iter().map(String::as_str)).map(ToString::to_string);
+        let known: Vec<&str> = known.into_iter().collect();
+        Self::misspelt(what, got, did_you_mean(got, known.iter().copied()), known)
+    }
+
+    /// An unknown name with what it may have meant and what is known there.
+    pub(crate) fn misspelt<'a>(
+        what: &'static str,
+        got: &str,
+        nearest: Option<&str>,
+        known: impl IntoIterator<Item = &'a str>,
+    ) -> Self {
+        let nearest = nearest.map(ToString::to_string);
+        let known = known.into_iter().map(ToString::to_string).collect();
         Self::Unknown {
             what,
             got: got.to_string(),

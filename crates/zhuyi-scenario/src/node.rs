@@ -54,14 +54,12 @@ impl<'a> Node<'a> {
 
     /// Its first word or bracket.
     fn head(&self) -> Range<usize> {
-        let is_end = |c: char| !c.is_alphanumeric() && c != '_';
-        let end = self
+        let word = self
             .value
-            .char_indices()
-            .find(|(index, c)| *index > 0 && is_end(*c))
-            .map_or(1, |(end, _)| end);
-        self.source
-            .span_of(self.value.get(..end).unwrap_or(self.value))
+            .find(|c: char| !c.is_alphanumeric() && c != '_')
+            .unwrap_or(self.value.len());
+        let first = self.value.chars().next().map_or(0, char::len_utf8);
+        self.source.span_of(&self.value[..word.max(first)])
     }
 
     /// Reports that it breaks a rule.
@@ -122,15 +120,22 @@ impl<'a> Node<'a> {
             .or_else(|| self.mismatch(expected))
     }
 
-    /// Reports a number that lies outside its range.
-    fn out_of<T>(&self, limits: String, got: String) -> Option<T> {
-        let name = self
-            .path
+    /// The last name of its path.
+    fn name(&self) -> String {
+        self.path
             .rsplit('.')
             .next()
             .unwrap_or(&self.path)
-            .to_string();
-        self.refuse(Rule::Range { name, limits, got });
+            .to_string()
+    }
+
+    /// Reports a number that lies outside its range.
+    fn out_of<T>(&self, limits: String, got: String) -> Option<T> {
+        self.refuse(Rule::Range {
+            name: self.name(),
+            limits,
+            got,
+        });
         None
     }
 
@@ -202,10 +207,13 @@ impl<'a> Node<'a> {
         let entries = syntax::entries(self.value).or_else(|| self.mismatch("a list `[..]`"))?;
         if !limits.contains(&entries.len()) {
             self.reading.give_up(&self.path);
-            return self.out_of(
-                format!("{} to {} entries", limits.start(), limits.end()),
-                entries.len().to_string(),
-            );
+            let limits = format!("{} to {}", limits.start(), limits.end());
+            self.refuse(Rule::Count {
+                name: self.name(),
+                limits,
+                got: entries.len(),
+            });
+            return None;
         }
         let nodes = entries
             .into_iter()
@@ -265,17 +273,18 @@ impl<'a> Node<'a> {
         variants: Variants<'a, '_, T>,
     ) -> Option<T> {
         let parts = Parts::of(self.value);
-        let name = parts.as_ref().and_then(|parts| parts.name);
-        if let Some((name, read)) = variants.iter().find(|(known, _)| Some(*known) == name) {
-            return Fields::read(self, name, parts?, read);
+        let name = parts
+            .as_ref()
+            .map_or(self.value, |parts| parts.name.unwrap_or(self.value));
+        match (variants.iter().find(|(known, _)| *known == name), parts) {
+            (Some((name, read)), Some(parts)) => Fields::read(self, name, parts, read),
+            (None, None) if self.value.ends_with(')') => self.mismatch("named fields in brackets"),
+            _ => {
+                let known = variants.iter().map(|(known, _)| *known);
+                self.refuse_whole(Rule::unknown(what, &syntax::excerpt(name), known));
+                self.reading.give_up(&self.path);
+                None
+            }
         }
-        let got = name.map_or_else(|| syntax::excerpt(self.value), ToString::to_string);
-        self.refuse_whole(Rule::unknown(
-            what,
-            &got,
-            variants.iter().map(|(known, _)| *known),
-        ));
-        self.reading.give_up(&self.path);
-        None
     }
 }

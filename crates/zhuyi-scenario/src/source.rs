@@ -18,9 +18,13 @@ struct Inner {
 }
 
 impl Source {
-    /// A source. A line end is added where the last line has none, so that a comment may stand there.
+    /// A source. A line end is added where the last line has none, so that a comment may stand there; the byte order
+    /// mark that some editors write first is dropped.
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
         let (name, mut text) = (name.into(), text.into());
+        if text.starts_with('\u{feff}') {
+            text.remove(0);
+        }
         if !text.ends_with('\n') {
             text.push('\n');
         }

@@ -11,6 +11,7 @@ use serde::de::{
     Deserialize, Deserializer, EnumAccess, Error, IgnoredAny, MapAccess, VariantAccess, Visitor,
 };
 use std::fmt;
+use std::ops::Range;
 
 /// The value that the rest of a source holds from a byte on, without what surrounds it.
 ///
@@ -18,21 +19,20 @@ use std::fmt;
 /// What RON's grammar says about it, alone: of a text that cannot be parsed nothing else is known.
 pub(crate) fn root(source: &Source, from: usize) -> Result<&str, Invalid> {
     let text = source.text().get(from..).unwrap_or("");
-    let refuse = |byte: usize, message: String| {
-        let byte = (from + byte).min(source.text().trim_end().len());
-        Invalid::from(Violation::new(source, byte..byte, Rule::Syntax(message)))
+    let refuse = |span: Range<usize>, message: String| {
+        let last = source.text().trim_end().len();
+        let span = (from + span.start).min(last)..(from + span.end).min(last);
+        Invalid::from(Violation::new(source, span, Rule::Syntax(message)))
     };
     // The nesting that `ron` admits is limited; so are its recursion and ours.
     if let Err(error) = ron::from_str::<IgnoredAny>(text) {
-        return Err(refuse(
-            byte_at(text, error.span.end),
-            error.code.to_string(),
-        ));
+        let span = byte_at(text, error.span.start)..byte_at(text, error.span.end);
+        return Err(refuse(span, error.code.to_string()));
     }
     match RawValue::from_ron(text) {
         Ok(raw) => Ok(slice(raw)),
         Err(_) => Err(refuse(
-            0,
+            0..0,
             "attributes such as `#![enable(..)]` have no use here".to_string(),
         )),
     }

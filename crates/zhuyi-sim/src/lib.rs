@@ -18,6 +18,7 @@ pub mod outcome;
 pub mod recorded;
 pub mod simulation;
 pub mod trace;
+pub mod trace_csv;
 
 pub use draws::Draws;
 pub use offline::{Hindsight, Peak, Peaks};

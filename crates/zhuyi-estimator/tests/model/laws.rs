@@ -81,7 +81,12 @@ proptest! {
     }
 
     #[test]
-    fn law_wider_margins_never_help(scene in any_scene(), params in any_params(), c1 in 0.5..0.9_f64, c2 in 0.5..0.9_f64) {
+    fn law_wider_margins_never_help(
+        scene in any_scene(),
+        params in any_params(),
+        c1 in 0.5..0.9_f64,
+        c2 in 0.5..0.9_f64,
+    ) {
         let usual = tolerance(&scene.ask(&params));
         for narrower in [Params { c1, ..params.clone() }, Params { c2, ..params }] {
             prop_assert!(tolerance(&scene.ask(&narrower)) <= usual);
@@ -195,8 +200,8 @@ proptest! {
     }
 }
 
-/// Three futures of a car 60 m ahead of an ego at 20 m/s: it drives on (nothing refused), stands (by hand 0.9 x 60 = 54 m less 40.8 m
-/// leave 0.659 s, so l = 0.109 with t_r = 0.487), or stands in its way at 40 m (unavoidable).
+/// Three futures of a car 60 m ahead of an ego at 20 m/s: it drives on (nothing refused), stands (by hand 0.9 x 60
+/// = 54 m less 40.8 m leave 0.659 s, so l = 0.109 with t_r = 0.487), or stands in its way at 40 m (unavoidable).
 #[test]
 fn hand_aggregation_of_three_futures() {
     let scenes = [
@@ -235,6 +240,25 @@ fn hand_aggregation_of_three_futures() {
     let (state, mean, _) = of([0.5, 0.25, 0.25], Aggregation::Mean);
     assert_eq!(state, State::Tolerable);
     assert!((mean.unwrap() - (0.5 + 0.109 / 4.0 + 1.0 / 120.0)).abs() < 1e-12);
+}
+
+/// Seven of twelve equal futures are 7/12 of the probability, although seven times 0.1 is less than 7/12 of their sum
+/// in floating point.
+#[test]
+fn hand_a_percentile_forgives_the_rounding_of_weights() {
+    let future = |count: i32| {
+        (
+            0.1,
+            Scene::following(20.0, 60.0, if count < 7 { 20.0 } else { 0.0 }),
+        )
+    };
+    let scenes: Vec<_> = (0..12).map(future).collect();
+    let params = Params {
+        aggregation: Aggregation::Percentile(7.0 / 12.0),
+        ..Params::default()
+    };
+    let found = Estimator::new(params).forecast(&scenes[0].1.ego, &forecast(&scenes), 0.0, L0);
+    assert_eq!(found.estimate.latency, Some(1.0));
 }
 
 /// A future in which the actor starts beside the ego asks for no rate and does not silence the others.

@@ -1,8 +1,9 @@
 //! The exact solver against a plain one: the same answers without anything that makes it fast.
 //!
-//! The plain solver collects every time at which anything can change (pieces, corridor lines, phases of the ego, roots of the
-//! constraints) in a list, sorts it, and asks in the middle of each gap between two of them. It tries every latency from the largest
-//! down: no bisection, no early end, no shared search for contact, no cache of spans.
+//! The plain solver collects every time at which anything can change (pieces, corridor lines, phases of the ego,
+//! roots of the constraints) in a list, sorts it, and asks in the middle of each gap between two of them. It tries
+//! every latency from the largest down: no bisection, no early end, no shared search for contact, no cache of
+//! spans.
 
 use crate::scene::{CAR, Scene};
 use proptest::prelude::*;
@@ -206,7 +207,8 @@ prop_compose! {
         let mut piece = Along::constant_accel(-1.0, gap + CAR.length, first * ego_speed, 0.0);
         let mut list = vec![piece];
         for (length, accel) in changes {
-            let (time, s, v) = (piece.time + length, piece.s_at(piece.time + length), piece.v_at(piece.time + length));
+            let time = piece.time + length;
+            let (s, v) = (piece.s_at(time), piece.v_at(time));
             let stops = if reverses { f64::INFINITY } else { -v / accel };
             piece = Along::constant_accel(time, s, v, if v <= 0.0 && accel < 0.0 && !reverses { 0.0 } else { accel });
             list.push(piece);

@@ -26,10 +26,15 @@ use zhuyi_core::{Lane, Road};
 macro_rules! read_all {
     ($($of:ident)::+ { $($field:ident $(: $read:expr)?),* $(,)? }) => {{
         $($(let $field = $read;)?)*
-        Some($($of)::+ { $($field: $field?),* })
+        $crate::read::whole(|| Some($($of)::+ { $($field: $field?),* }))
     }};
 }
 pub(crate) use read_all;
+
+/// Where a `?` within `make` leads.
+fn whole<T>(make: impl FnOnce() -> Option<T>) -> Option<T> {
+    make()
+}
 
 /// What every entry of a list became, once all have been read.
 fn every<T>(read: impl Iterator<Item = Option<T>>) -> Option<Vec<T>> {

@@ -22,6 +22,7 @@ pub(super) fn planner(node: &Node, vehicle: Option<&Vehicle>) -> Option<PlannerP
             brake_above: fields.number("brake_above_mps2", ACCEL),
             release_below: fields.number("release_below_mps2", ACCEL),
             max_decel: fields.number("max_decel_mps2", ACCEL),
+            evade_above: fields.number("evade_above_mps2", ACCEL),
             standstill_gap: fields.number("standstill_gap_m", within(0.0, 50.0)),
             anticipation: fields.number("anticipation_s", within(0.0, 10.0)),
             lateral_margin: fields.number("lateral_margin_m", within(0.0, 3.0)),

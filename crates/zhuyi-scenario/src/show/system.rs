@@ -142,6 +142,7 @@ fn planner(planner: &PlannerParams) -> Value {
         ("brake_above_mps2", Number(planner.brake_above)),
         ("release_below_mps2", Number(planner.release_below)),
         ("max_decel_mps2", Number(planner.max_decel)),
+        ("evade_above_mps2", Number(planner.evade_above)),
         ("standstill_gap_m", Number(planner.standstill_gap)),
         ("anticipation_s", Number(planner.anticipation)),
         ("lateral_margin_m", Number(planner.lateral_margin)),

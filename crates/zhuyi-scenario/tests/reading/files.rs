@@ -1,5 +1,6 @@
 //! The files that come with the program: they pass, and what is shown of them reads back as the equal value.
 
+use crate::texts::{self, SCENARIO, SYSTEM};
 use zhuyi_scenario::{Kind, Scenario, Setting, Source, System, embedded, load};
 use zhuyi_world::script::Place;
 
@@ -9,16 +10,27 @@ fn default_system() -> System {
 
 fn scenario(name: &str) -> Scenario {
     let text = embedded::scenario(name).unwrap();
-    Scenario::read(&Source::new(format!("scenarios/{name}.ron"), text), &default_system(), &[]).unwrap()
+    Scenario::read(
+        &Source::new(format!("scenarios/{name}.ron"), text),
+        &default_system(),
+        &[],
+    )
+    .unwrap()
 }
 
 #[test]
 fn embedded_files_pass_and_are_named_after_their_files() {
     for name in embedded::names() {
         assert_eq!(scenario(name).name, name);
-        assert_eq!(Kind::of(&Source::new(name, embedded::scenario(name).unwrap())), Kind::Scenario);
+        assert_eq!(
+            Kind::of(&Source::new(name, embedded::scenario(name).unwrap())),
+            Kind::Scenario
+        );
     }
-    assert_eq!(Kind::of(&Source::new("default.ron", embedded::system())), Kind::System);
+    assert_eq!(
+        Kind::of(&Source::new("default.ron", embedded::system())),
+        Kind::System
+    );
     assert_eq!(embedded::scenario("cut-off"), None);
 }
 
@@ -26,7 +38,10 @@ fn embedded_files_pass_and_are_named_after_their_files() {
 fn first_comment_tells_the_row_of_the_table() {
     for name in embedded::names() {
         let text = embedded::scenario(name).unwrap();
-        assert!(text.starts_with(&format!("// Row \"{name}\" of the paper's table")), "{name}");
+        assert!(
+            text.starts_with(&format!("// Row \"{name}\" of the paper's table")),
+            "{name}"
+        );
     }
 }
 
@@ -75,40 +90,58 @@ const EVERYTHING: &str = r#"(
 fn law_shown_reads_back_equal_with_every_variant_and_odd_numbers() {
     let arguments = [
         "prediction=ConstantAcceleration",
-        "estimator.aggregation=Worst",
-        "estimator.grid=Fps",
-        "estimator.solver=Paper",
-        "estimator.criterion=Standstill",
-        "estimator.assumed_rate_hz=7.3",
-        "perception.cameras.left.latency=Fixed(latency_ms: 33.3)",
-        "perception.cameras.left.fov_deg=99.9",
-        "perception.cameras.right.confirm_frames=3",
+        "estimator=(aggregation: Worst, grid: Fps, solver: Paper, criterion: Standstill, assumed_rate_hz: 7.3)",
+        "perception.cameras.front.latency=Fixed(latency_ms: 33.3)",
+        "perception.cameras.front.fov_deg=99.9",
+        "perception.cameras.rear.confirm_frames=3",
         "perception.cameras.rear.rate_hz=12.5",
         "vehicle.max_steering_deg=33.3",
     ];
     let settings = arguments.map(|argument| Setting::parse(argument).unwrap());
-    let (scenario, system) =
-        load(&Source::new("all.ron", EVERYTHING), &Source::new("default.ron", embedded::system()), &settings).unwrap();
-    let shown = (Source::new("all.ron", scenario.to_ron()), Source::new("default.ron", system.to_ron()));
+    let (scenario, system) = load(
+        &Source::new("all.ron", EVERYTHING),
+        &Source::new("system.ron", SYSTEM),
+        &settings,
+    )
+    .unwrap();
+    let shown = (
+        Source::new("all.ron", scenario.to_ron()),
+        Source::new("system.ron", system.to_ron()),
+    );
     assert_eq!(load(&shown.0, &shown.1, &[]).unwrap(), (scenario, system));
     // Angles and radii come back as typed, not as 33.29999999999999.
-    for typed in ["max_steering_deg: 33.3,", "fov_deg: 99.9,", "latency_ms: 33.3)", "radius_m: -333.3)", "12.3456789,"] {
-        assert!(shown.0.text().contains(typed) || shown.1.text().contains(typed), "{typed}");
+    for typed in [
+        "max_steering_deg: 33.3,",
+        "fov_deg: 99.9,",
+        "latency_ms: 33.3)",
+        "radius_m: -333.3)",
+        "12.3456789,",
+    ] {
+        assert!(
+            shown.0.text().contains(typed) || shown.1.text().contains(typed),
+            "{typed}"
+        );
     }
 }
 
 #[test]
 fn hand_steady_start_is_the_gap_of_the_planner() {
-    // s0 + T v = 3 m + 2 s * 17.8816 m/s.
-    let settings = ["planner.min_gap_m=3", "planner.time_headway_s=2"].map(|argument| Setting::parse(argument).unwrap());
-    let cut_out = Source::new("cut-out-fast.ron", embedded::scenario("cut-out-fast").unwrap());
-    let (scenario, _) = load(&cut_out, &Source::new("default.ron", embedded::system()), &settings).unwrap();
-    let lead = scenario.actors.iter().find(|actor| actor.name == "lead").unwrap();
-    let Place::Ahead(gap) = lead.start.along else { panic!("{:?}", lead.start) };
-    assert!((gap - 38.7632).abs() < 1e-12, "{gap}");
+    let text = SCENARIO
+        .replace("Ahead(gap_m: 30)", "Steady")
+        .replace("speed_mps: 20", "speed_mph: 40");
+    let scenario = Scenario::read(&Source::new("steady.ron", text), &texts::system(), &[]).unwrap();
+    // s0 + T v = 3 m + 1 s * 17.8816 m/s.
+    let Place::Ahead(gap) = scenario.actors[0].start.along else {
+        panic!("{scenario:?}")
+    };
+    assert!((gap - 20.8816).abs() < 1e-12, "{gap}");
+    assert!((scenario.ego.speed - 17.8816).abs() < 1e-12);
 }
 
 #[test]
-fn hand_forty_miles_per_hour() {
-    assert!((scenario("cut-out-fast").ego.speed - 17.8816).abs() < 1e-12);
+fn hand_line_ends_and_byte_order_mark_of_other_editors() {
+    let read =
+        |text: &str| Scenario::read(&Source::new("lead.ron", text), &texts::system(), &[]).unwrap();
+    let foreign = format!("\u{feff}{}// end", SCENARIO.replace('\n', "\r\n"));
+    assert_eq!(read(&foreign), read(SCENARIO));
 }

@@ -1,0 +1,134 @@
+//! What `reproduce` and `robustness` have in common: rates and seeds, and results that are written or compared.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use zhuyi_lab::{Plan, Progress, Results, prepare};
+
+use super::grid::seed_count;
+use crate::answer::Answer;
+use crate::argument::Argument;
+use crate::error::Error;
+use crate::interrupt;
+use crate::problems::{Problem, Problems};
+use crate::progress::Bar;
+use crate::ranges::frame_rates;
+
+/// Where to and how much, as typed.
+#[derive(Args, Debug)]
+#[group(skip)]
+pub struct Arguments {
+    /// Folder for the results; made if it is missing, and the files in it replaced
+    #[arg(short, long, value_name = "DIR", default_value = "results")]
+    out: PathBuf,
+    /// Write nothing: compare with the files in the folder, byte for byte, and exit with 1 where one differs
+    #[arg(long)]
+    check: bool,
+    /// Frame rates in frames per second, the same on all cameras: from:to[:step] with both ends, single
+    /// rates, or several of these [default: 1:30, as in the paper]
+    #[arg(long, value_name = "RATES", allow_hyphen_values = true)]
+    fpr: Option<String>,
+    /// How many random drives per rate [default: 10, as in the paper]
+    #[arg(long, value_name = "COUNT", allow_hyphen_values = true)]
+    seeds: Option<String>,
+}
+
+/// A plan and what to do with its results.
+#[derive(Debug)]
+pub struct Delivery {
+    plan: Plan,
+    out: PathBuf,
+    check: bool,
+}
+
+impl Arguments {
+    /// What was typed, as meant. The folder is tried before the runs are made.
+    pub fn meant(self) -> Result<Delivery, Error> {
+        let mut problems = Problems::default();
+        let plan = problems.take(Plan::embedded());
+        let rates = self
+            .fpr
+            .as_deref()
+            .map(|typed| frame_rates(Argument::new("--fpr", typed), &mut problems));
+        let seeds = self
+            .seeds
+            .as_deref()
+            .map(|typed| seed_count(typed, &mut problems));
+        if self.check
+            && let Err(source) = self.out.read_dir()
+        {
+            problems.push(Problem::Read {
+                path: self.out.clone(),
+                source,
+            });
+        }
+        let mut plan = problems.finish(plan)?;
+        plan.rates = rates.flatten().unwrap_or(plan.rates);
+        plan.seeds = seeds.flatten().unwrap_or(plan.seeds);
+        if !self.check {
+            prepare(&self.out)?;
+        }
+        Ok(Delivery {
+            plan,
+            out: self.out,
+            check: self.check,
+        })
+    }
+}
+
+impl Delivery {
+    /// Makes the results and writes or compares them.
+    pub fn run(&self, make: impl Fn(&Plan, &dyn Progress) -> Results) -> Result<Answer, Error> {
+        interrupt::listen()?;
+        let results = make(&self.plan, &Bar::new());
+        if self.check {
+            self.compare(&results)
+        } else {
+            self.write(&results)
+        }
+    }
+
+    fn write(&self, results: &Results) -> Result<Answer, Error> {
+        let written = {
+            let _whole = interrupt::writing();
+            results.write(&self.out)
+        };
+        written?;
+        let files: Vec<String> = results
+            .files
+            .iter()
+            .map(|(name, _)| self.out.join(name).display().to_string())
+            .collect();
+        Ok(Answer::new(format!(
+            "{}\nWrote {}\n",
+            results.summary,
+            files.join(", ")
+        )))
+    }
+
+    fn compare(&self, results: &Results) -> Result<Answer, Error> {
+        let differences: Vec<String> = results
+            .check(&self.out)?
+            .iter()
+            .map(ToString::to_string)
+            .collect();
+        if differences.is_empty() {
+            let count = results.files.len();
+            let text = format!(
+                "{}\nAll {count} files in {} are reproduced.\n",
+                results.summary,
+                self.out.display()
+            );
+            return Ok(Answer::new(text));
+        }
+        let unmet = format!(
+            "not reproduced in {}:\n  {}",
+            self.out.display(),
+            differences.join("\n  ")
+        );
+        Ok(Answer::failing(
+            results.summary.clone(),
+            Error::Unmet(unmet),
+        ))
+    }
+}

@@ -1,0 +1,198 @@
+//! What `sweep` and `mrf` have in common: scenarios, the same rate on all cameras, seeds.
+
+use std::ops::Range;
+
+use clap::Args;
+use zhuyi_core::FrameRates;
+use zhuyi_estimator::Estimator;
+use zhuyi_lab::Progress;
+use zhuyi_lab::mrf::{Required, required};
+use zhuyi_lab::sweep::{Cell, Experiment, Record, grid, uniform};
+use zhuyi_scenario::{Scenario, System};
+
+use super::run::seed;
+use crate::argument::Argument;
+use crate::error::Error;
+use crate::inputs::{Inputs, Setup};
+use crate::interrupt;
+use crate::problems::Problems;
+use crate::progress::Bar;
+use crate::ranges::frame_rates;
+use crate::tables::table;
+
+/// Scenarios, rates and seeds as typed.
+#[derive(Args, Clone, Debug)]
+#[group(skip)]
+pub struct Arguments {
+    /// Scenarios' names (see zhuyi list) or paths of .ron files
+    #[arg(value_name = "SCENARIO", required = true)]
+    pub scenarios: Vec<String>,
+    /// Frame rates in frames per second, the same on all cameras: from:to[:step] with both ends, single
+    /// rates, or several of these, as 1:10,15,30
+    #[arg(
+        long,
+        value_name = "RATES",
+        default_value = "1:30",
+        allow_hyphen_values = true
+    )]
+    fpr: String,
+    /// How many random drives per rate: seeds 0, 1, .. of zhuyi run
+    #[arg(
+        long,
+        value_name = "COUNT",
+        default_value = "10",
+        allow_hyphen_values = true
+    )]
+    seeds: String,
+    /// Root of all randomness: another one makes all seeds other drives
+    #[arg(
+        long,
+        value_name = "N",
+        default_value = "0",
+        allow_hyphen_values = true
+    )]
+    root_seed: String,
+    #[command(flatten)]
+    pub setup: Setup,
+}
+
+/// The drives to make.
+#[derive(Debug)]
+pub struct Grid {
+    pub scenarios: Vec<Scenario>,
+    pub system: System,
+    pub rates: Vec<u32>,
+    pub seeds: u64,
+    root_seed: u64,
+}
+
+/// A number of seeds as typed.
+pub fn seed_count(typed: &str, problems: &mut Problems) -> Option<u64> {
+    let argument = Argument::new("--seeds", typed);
+    argument.whole(
+        &argument.all(),
+        "the number of seeds",
+        1..=100_000,
+        problems,
+    )
+}
+
+impl Arguments {
+    /// What was typed, as meant.
+    pub fn meant(&self) -> Result<Grid, Error> {
+        let mut problems = Problems::default();
+        let read = Inputs::read(&self.scenarios, &self.setup, &mut problems);
+        let rates = frame_rates(Argument::new("--fpr", &self.fpr), &mut problems);
+        let seeds = seed_count(&self.seeds, &mut problems);
+        let root_seed = seed("--root-seed", &self.root_seed, &mut problems);
+        let grid = || {
+            Some(Grid {
+                scenarios: read.scenarios?,
+                system: read.system?,
+                rates: rates?,
+                seeds: seeds?,
+                root_seed: root_seed?,
+            })
+        };
+        problems.finish(grid())
+    }
+}
+
+impl Grid {
+    /// What stays the same over all drives.
+    pub fn experiment(&self) -> Experiment<'_> {
+        Experiment {
+            scenarios: &self.scenarios,
+            system: &self.system,
+            root_seed: self.root_seed,
+        }
+    }
+
+    /// Makes all drives, each put to these estimators; Ctrl-C ends it.
+    pub fn run(&self, estimators: &[Estimator]) -> Result<Vec<Record>, Error> {
+        interrupt::listen()?;
+        let rates: Vec<FrameRates> = self
+            .rates
+            .iter()
+            .map(|fps| uniform(&self.system, *fps))
+            .collect();
+        let seeds: Range<u64> = 0..self.seeds;
+        let cells: Vec<Cell> = grid(self.scenarios.len(), &rates, seeds);
+        let bar = Bar::new();
+        bar.start("drives", cells.len() as u64);
+        Ok(self.experiment().run(&cells, |_| estimators, || bar.step()))
+    }
+
+    /// The minimum required rate of each scenario, with the drives that it rests on.
+    pub fn table(&self, records: &[Record]) -> String {
+        let mut rows = table(
+            &[
+                "scenario",
+                "MRF",
+                "drives that collided",
+                "safe below the MRF",
+            ],
+            &[1],
+        );
+        let per_scenario = self.rates.len() * self.seeds as usize;
+        for (scenario, records) in self.scenarios.iter().zip(records.chunks(per_scenario)) {
+            let collisions = self.collisions(records);
+            let Required { mrf, safe_below } = required(&collisions);
+            let safe_below: Vec<String> = safe_below.iter().map(u32::to_string).collect();
+            rows.add_row([
+                scenario.name.clone(),
+                mrf.to_string(),
+                told(&collisions),
+                safe_below.join(", "),
+            ]);
+        }
+        rows.trim_fmt() + "\n"
+    }
+
+    /// Rates with the number of seeds that collided.
+    fn collisions(&self, records: &[Record]) -> Vec<(u32, u32)> {
+        let count = |records: &[Record]| {
+            records
+                .iter()
+                .filter(|record| record.collision.is_some())
+                .count()
+        };
+        let chunks = records.chunks(self.seeds as usize);
+        self.rates
+            .iter()
+            .copied()
+            .zip(chunks.map(|records| count(records) as u32))
+            .collect()
+    }
+
+    /// What a table of this kind says and what not.
+    pub fn legend(&self) -> String {
+        // n drives without a collision: its chance is below 1 - 0.05^(1/n) with 95 % confidence.
+        let bound = 100.0 * (1.0 - 0.05_f64.powf(1.0 / self.seeds as f64));
+        format!(
+            "MRF: the minimum required rate in frames per second: at it, and at every higher one of the {} tested, none of {} \
+             seeds collided.\nThat none did says that the chance of a collision is below {bound:.0} % (with 95 % confidence), \
+             not that there is none.\n",
+            self.rates.len(),
+            self.seeds
+        )
+    }
+}
+
+/// `1 to 4 FPR: 10 of 10, 5 FPR: 3`, neighbours with equal counts drawn together.
+fn told(collisions: &[(u32, u32)]) -> String {
+    let runs = collisions.chunk_by(|(_, one), (_, two)| one == two);
+    let told: Vec<String> = runs
+        .filter(|run| run[0].1 > 0)
+        .map(|run| match run {
+            [(rate, count)] => format!("{count} at {rate}"),
+            [(first, count), .., (last, _)] => format!("{count} each at {first} to {last}"),
+            [] => String::new(),
+        })
+        .collect();
+    if told.is_empty() {
+        "none".to_string()
+    } else {
+        told.join(", ")
+    }
+}

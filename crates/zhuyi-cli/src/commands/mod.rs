@@ -1,0 +1,87 @@
+//! The commands. Each file has the arguments as typed, what they mean, and the run.
+
+mod check;
+mod delivery;
+mod grid;
+mod list;
+mod mrf;
+mod new;
+mod reproduce;
+mod robustness;
+mod run;
+mod show;
+mod sweep;
+
+use clap::{Parser, Subcommand};
+
+use crate::answer::Answer;
+use crate::error::Error;
+
+/// Something to do, checked and ready to run.
+pub trait Task {
+    /// Does it.
+    fn run(self: Box<Self>) -> Result<Answer, Error>;
+}
+
+/// How often must a self-driving car look? Zhuyi drives a car with simulated cameras through traffic at chosen frame rates,
+/// and estimates from each drive how many frames per second every camera needed.
+#[derive(Debug, Parser)]
+#[command(
+    name = "zhuyi",
+    version,
+    arg_required_else_help = true,
+    max_term_width = 100,
+    after_help = "\
+Start here:
+  zhuyi list                       what comes with the program
+  zhuyi run cut-out-fast --fpr 5   one drive, told in figures
+  zhuyi reproduce                  the table of the paper (DAC 2022), ours beside the published one
+
+Frame rates are in frames per second and named FPR, frame processing rate, as in the paper.
+Exit codes: 0 done, 1 --check found a difference, 2 bad input, 4 reading or writing failed, 130 interrupted."
+)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The commands as typed.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// List the scenarios that come with the program
+    List,
+    /// Show a scenario: its file with nothing left to defaults, and its start from above
+    Show(show::Arguments),
+    /// Check scenario and system files, and show everything that is wrong with any of them
+    Check(check::Arguments),
+    /// Write a commented scenario file to start from
+    New(new::Arguments),
+    /// Drive once through a scenario and tell what happened
+    Run(run::Arguments),
+    /// Drive through scenarios at many frame rates and write one row per run
+    Sweep(sweep::Arguments),
+    /// Find the minimum required frame rate: from it on no seed collides
+    Mrf(mrf::Arguments),
+    /// Make the paper's table, ours beside the published one
+    Reproduce(reproduce::Arguments),
+    /// See how the minimum required rates move with what was chosen
+    Robustness(robustness::Arguments),
+}
+
+impl Command {
+    /// What was typed, as meant.
+    pub fn meant(self) -> Result<Box<dyn Task>, Error> {
+        Ok(match self {
+            Self::List => Box::new(list::List::meant()?),
+            Self::Show(typed) => Box::new(typed.meant()?),
+            Self::Check(typed) => Box::new(typed.meant()),
+            Self::New(typed) => Box::new(typed.meant()?),
+            Self::Run(typed) => Box::new(typed.meant()?),
+            Self::Sweep(typed) => Box::new(typed.meant()?),
+            Self::Mrf(typed) => Box::new(typed.meant()?),
+            Self::Reproduce(typed) => Box::new(typed.meant()?),
+            Self::Robustness(typed) => Box::new(typed.meant()?),
+        })
+    }
+}

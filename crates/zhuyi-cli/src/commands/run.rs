@@ -1,0 +1,195 @@
+//! `zhuyi run`: one drive, told in figures.
+
+mod summary;
+mod text;
+
+use std::path::PathBuf;
+
+use clap::Args;
+use zhuyi_core::FrameRates;
+use zhuyi_scenario::{Scenario, System};
+use zhuyi_sim::{Draws, Simulation, trace_csv};
+
+use super::Task;
+use crate::answer::Answer;
+use crate::argument::Argument;
+use crate::error::Error;
+use crate::inputs::{Inputs, Setup};
+use crate::output::Output;
+use crate::problems::Problems;
+use crate::rates::Rates;
+use crate::shell;
+use summary::Summary;
+
+/// `zhuyi run` as typed.
+#[derive(Args, Clone, Debug)]
+#[command(after_help = "\
+Examples:
+  zhuyi run cut-out-fast                                    every camera at 30 FPR
+  zhuyi run cut-out-fast --fpr 5 --seed 3                   every camera at 5 FPR
+  zhuyi run cut-out-fast --fpr front=6,left=2,right=2       rear stays at 30
+  zhuyi run cut-in --set actors.cutter.speed_mps=15         one value of the scenario changed
+  zhuyi run my-scenario.ron --system my-car.ron --trace drive.csv
+  zhuyi run cut-in --json | jq .estimate.largest_fpr
+
+The demand is the paper's offline estimate: with the drive on record, the lowest frame rate at which each camera would have
+let the ego brake in time, at every 10 ms step; the highest is told. After a collision it covers the time up to the contact.
+
+The trace has one row per time and vehicle: time_s,id,x_m,y_m,heading_rad,speed_mps,accel_mps2,length_m,width_m,s_m,d_m,lane.
+The ego's id is `ego`. The same command gives the same bytes.")]
+pub struct Arguments {
+    /// A scenario's name (see zhuyi list) or the path of a .ron file
+    #[arg(value_name = "SCENARIO")]
+    scenario: String,
+    /// Frame rate in frames per second: one for all cameras (30), or by name (front=30,left=5), where
+    /// `front` sets front_120 and front_60; cameras not named keep the system's rate, 30 by default
+    #[arg(long, value_name = "RATES", allow_hyphen_values = true)]
+    fpr: Option<String>,
+    /// Which of the random drives: camera phases, noise and the actors' starts differ from seed to seed
+    #[arg(
+        long,
+        value_name = "N",
+        default_value = "0",
+        allow_hyphen_values = true
+    )]
+    seed: String,
+    /// Root of all randomness: another one makes all seeds other drives
+    #[arg(
+        long,
+        value_name = "N",
+        default_value = "0",
+        allow_hyphen_values = true
+    )]
+    root_seed: String,
+    #[command(flatten)]
+    setup: Setup,
+    /// Write where every vehicle was at every 10 ms step, as CSV
+    #[arg(long, value_name = "FILE")]
+    trace: Option<PathBuf>,
+    /// Print one JSON document instead of text
+    #[arg(long)]
+    json: bool,
+}
+
+/// A drive to make.
+#[derive(Debug)]
+pub struct Run {
+    scenario: Scenario,
+    system: System,
+    rates: FrameRates,
+    seed: u64,
+    root_seed: u64,
+    trace: Option<Output>,
+    json: bool,
+    /// What was typed, to say what to type next.
+    typed: Arguments,
+}
+
+impl Arguments {
+    /// What was typed, as meant.
+    pub fn meant(self) -> Result<Run, Error> {
+        let mut problems = Problems::default();
+        let read = Inputs::read(
+            std::slice::from_ref(&self.scenario),
+            &self.setup,
+            &mut problems,
+        );
+        let rates = Rates::read(self.fpr.as_deref(), &mut problems);
+        let rates = rates.zip(read.system.as_ref());
+        let rates = rates.and_then(|(rates, system)| rates.of(system, &mut problems));
+        let seed = seed("--seed", &self.seed, &mut problems);
+        let root_seed = seed("--root-seed", &self.root_seed, &mut problems);
+        let trace = match &self.trace {
+            Some(path) => Output::reserve(path, &mut problems).map(Some),
+            None => Some(None),
+        };
+        let scenario = read.scenarios.and_then(|mut scenarios| scenarios.pop());
+        let run = || {
+            Some(Run {
+                scenario: scenario?,
+                system: read.system?,
+                rates: rates?,
+                seed: seed?,
+                root_seed: root_seed?,
+                trace: trace?,
+                json: self.json,
+                typed: self,
+            })
+        };
+        let run = run();
+        problems.finish(run)
+    }
+
+    /// This drive as typed, at other rates if given, without what is written or printed.
+    fn words<'a>(&'a self, fpr: Option<&'a str>) -> Vec<&'a str> {
+        let mut words = vec!["zhuyi", "run", &self.scenario];
+        if let Some(fpr) = fpr.or(self.fpr.as_deref()) {
+            words.extend(["--fpr", fpr]);
+        }
+        for (flag, seed) in [("--seed", &self.seed), ("--root-seed", &self.root_seed)] {
+            if seed != "0" {
+                words.extend([flag, seed]);
+            }
+        }
+        words.extend(self.setup.words());
+        words
+    }
+}
+
+/// A seed as typed.
+pub fn seed(name: &'static str, typed: &str, problems: &mut Problems) -> Option<u64> {
+    let argument = Argument::new(name, typed);
+    argument.whole(&argument.all(), "a seed", 0..=u64::MAX, problems)
+}
+
+impl Task for Run {
+    fn run(mut self: Box<Self>) -> Result<Answer, Error> {
+        let draws = Draws {
+            root: self.root_seed,
+            scenario: &self.scenario.name,
+            seed: self.seed,
+        };
+        let run = Simulation::new(&self.scenario, &self.system, &self.rates, draws).run();
+        let summary = Summary::new(&self, &run);
+        if let Some(output) = self.trace.take() {
+            output.write(trace_csv::csv(&run.trace, &self.scenario.road).as_bytes())?;
+        }
+        let text = if self.json {
+            summary.json()
+        } else {
+            text::describe(&summary, self.typed.trace.as_deref(), &self.next(&summary))
+        };
+        Ok(Answer::new(text))
+    }
+}
+
+impl Run {
+    /// What to type next, and what for.
+    fn next(&self, summary: &Summary) -> Vec<(String, &'static str)> {
+        let mut next = Vec::new();
+        let typed = &self.typed;
+        let asked = summary.estimate.largest_fpr.ceil();
+        if summary.collision.is_some() {
+            if self.rates.all().iter().any(|rate| *rate < 30.0) {
+                next.push((
+                    shell::line(typed.words(Some("30"))),
+                    "the same drive at 30 FPR",
+                ));
+            }
+        } else if self.rates.all().iter().any(|rate| *rate != asked) {
+            let fpr = asked.to_string();
+            let line = shell::line(typed.words(Some(&fpr)));
+            next.push((line, "at the rate that the estimate asks for"));
+        }
+        if typed.trace.is_none() {
+            let file = format!("{}.csv", self.scenario.name);
+            let words = typed.words(None).into_iter().chain(["--trace", &file]);
+            next.push((shell::line(words), "where everyone was at every step"));
+        }
+        let mrf = ["zhuyi", "mrf", &typed.scenario]
+            .into_iter()
+            .chain(typed.setup.words());
+        next.push((shell::line(mrf), "the lowest rate without a collision"));
+        next
+    }
+}

@@ -1,0 +1,77 @@
+//! Why a command did not do what it was asked, and the exit codes.
+
+use std::error::Error as _;
+use std::io::{self, IsTerminal, Write};
+use std::path::PathBuf;
+
+use zhuyi_lab::LabError;
+
+use crate::problems::Problems;
+
+/// Why a command did not do what it was asked.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// What was asked cannot be meant; nothing has run.
+    #[error("{}", .0.render(false))]
+    Refused(Problems),
+    /// A file could not be written.
+    #[error("cannot write `{}`", path.display())]
+    Write {
+        /// Which.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// A file is there that would have to be overwritten.
+    #[error("`{}` exists already, and nothing is overwritten", .0.display())]
+    Exists(PathBuf),
+    /// Standard output could not be written.
+    #[error("cannot write to standard output")]
+    Print(#[source] io::Error),
+    /// The place of the results.
+    #[error(transparent)]
+    Lab(#[from] LabError),
+    /// `--check` found something.
+    #[error("{0}")]
+    Unmet(String),
+    /// Ctrl-C cannot be caught.
+    #[error("cannot listen for Ctrl-C")]
+    Signals(#[from] ctrlc::Error),
+}
+
+impl Error {
+    /// What the process ends with.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Unmet(_) => 1,
+            Self::Refused(problems) => problems.exit_code(),
+            Self::Write { .. }
+            | Self::Exists(_)
+            | Self::Print(_)
+            | Self::Lab(_)
+            | Self::Signals(_) => 4,
+        }
+    }
+
+    /// Tells standard error. Where even that is closed there is nobody to tell.
+    pub fn report(&self) {
+        let mut err = io::stderr().lock();
+        let text = match self {
+            Self::Refused(problems) => {
+                problems.render(err.is_terminal() && std::env::var_os("NO_COLOR").is_none())
+            }
+            _ => format!("error: {self}{}", self.causes()),
+        };
+        let _closed = writeln!(err, "{text}");
+    }
+
+    fn causes(&self) -> String {
+        let mut causes = String::new();
+        let mut cause = self.source();
+        while let Some(error) = cause {
+            causes += &format!(": {error}");
+            cause = error.source();
+        }
+        causes
+    }
+}

@@ -1,0 +1,92 @@
+//! The rules for what is typed on the command line. Those of files are zhuyi-scenario's.
+
+use std::ops::RangeInclusive;
+
+/// What is wrong with a part of an argument.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Fault {
+    /// No digits.
+    #[error("expected a whole number, got `{0}`")]
+    NotWhole(String),
+    /// No number at all.
+    #[error("expected a number, got `{0}`")]
+    NotNumber(String),
+    /// A number out of its range; NaN is in none.
+    #[error("{what} must be {low} to {high}, got {got}")]
+    Limits {
+        /// What kind of number.
+        what: &'static str,
+        /// The least allowed.
+        low: String,
+        /// The largest allowed.
+        high: String,
+        /// What was typed.
+        got: String,
+    },
+    /// Nothing where something belongs.
+    #[error("expected {0}, got nothing")]
+    Empty(&'static str),
+    /// More than `from:to:step`.
+    #[error("a range has the form from:to or from:to:step, got `{0}`")]
+    RangeForm(String),
+    /// From high to low.
+    #[error("a range goes upwards, got {from} to {to}")]
+    Reversed {
+        /// Its beginning.
+        from: u32,
+        /// Its end.
+        to: u32,
+    },
+    /// A range that stays where it is.
+    #[error("the step of a range must be at least 1, got 0")]
+    NoStep,
+    /// More than one rate where one is meant.
+    #[error("one run has one rate for all cameras, or one for each: `30` or `front=30,left=5`")]
+    ManyRates,
+    /// Neither a rate nor the rate of a camera.
+    #[error("expected camera=rate, got `{0}`")]
+    NoCamera(String),
+    /// The same name again.
+    #[error("{what} `{name}` is given twice")]
+    Twice {
+        /// What the name names.
+        what: &'static str,
+        /// The name.
+        name: String,
+    },
+    /// A name that nothing has.
+    #[error("unknown {what} `{got}`")]
+    Unknown {
+        /// What the name should name.
+        what: &'static str,
+        /// The name.
+        got: String,
+        /// What to do instead.
+        hint: String,
+    },
+    /// The name of a new scenario that cannot be one.
+    #[error("a name is made of letters, digits, `_` and `-`, got `{0}`")]
+    Name(String),
+}
+
+impl Fault {
+    /// A number out of its range.
+    pub fn limits<N: ToString>(what: &'static str, allowed: &RangeInclusive<N>, got: &str) -> Self {
+        Self::Limits {
+            what,
+            low: allowed.start().to_string(),
+            high: allowed.end().to_string(),
+            got: got.to_string(),
+        }
+    }
+
+    /// What stands beside the caret.
+    pub fn hint(&self) -> Option<&str> {
+        match self {
+            Self::Unknown { hint, .. } => Some(hint),
+            Self::Name(_) => Some("--output takes a path"),
+            Self::Reversed { .. } => Some("the smaller number first"),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! What commands work on: scenarios and systems by name or path, with single values set on the command line.
+
+use std::fs;
+use std::path::{MAIN_SEPARATOR, Path};
+
+use clap::Args;
+use zhuyi_scenario::{Scenario, Setting, Source, System, did_you_mean, embedded, load};
+
+use crate::argument::Argument;
+use crate::fault::Fault;
+use crate::problems::{Problem, Problems};
+
+/// Name of the system that comes with the program.
+pub const DEFAULT_SYSTEM: &str = "default";
+
+/// The flags that change what is run, as typed.
+#[derive(Args, Clone, Debug, Default)]
+#[group(skip)]
+pub struct Setup {
+    /// Another car, cameras, planner or estimator: a system file [default: the built-in `default`]
+    #[arg(long, value_name = "FILE")]
+    pub system: Option<String>,
+    /// Set one value of the scenario or the system file, as planner.time_headway_s=1.2 or
+    /// actors.lead.speed_mps=12; may be given more than once
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub settings: Vec<String>,
+}
+
+/// Scenarios and the system that drives through them, each if it could be read.
+#[derive(Debug)]
+pub struct Inputs {
+    /// The scenarios, in the order of being named; all or none.
+    pub scenarios: Option<Vec<Scenario>>,
+    /// The ego.
+    pub system: Option<System>,
+}
+
+impl Inputs {
+    /// Reads scenarios by name or path. Notes all that is wrong with any of them, the system and the settings.
+    pub fn read(typed: &[String], setup: &Setup, problems: &mut Problems) -> Self {
+        let settings = setup.settings(problems);
+        let sources: Vec<Source> = typed
+            .iter()
+            .filter_map(|typed| scenario_source(typed, problems))
+            .collect();
+        let Some(of_system) = setup.system_source(problems) else {
+            return Self {
+                scenarios: None,
+                system: None,
+            };
+        };
+        let system = problems.take(System::read(&of_system, &settings));
+        let scenarios: Vec<Scenario> = sources
+            .iter()
+            .filter_map(|source| problems.take(load(source, &of_system, &settings)))
+            .map(|(scenario, _)| scenario)
+            .collect();
+        refuse_namesakes(typed, &scenarios, problems);
+        Self {
+            scenarios: (scenarios.len() == typed.len()).then_some(scenarios),
+            system,
+        }
+    }
+}
+
+/// Two scenarios of one name would share their draws and their rows.
+fn refuse_namesakes(typed: &[String], scenarios: &[Scenario], problems: &mut Problems) {
+    for (index, scenario) in scenarios.iter().enumerate() {
+        if scenarios[..index]
+            .iter()
+            .any(|earlier| earlier.name == scenario.name)
+        {
+            let argument = Argument::new("SCENARIO", &typed[index]);
+            let fault = Fault::Twice {
+                what: "scenario",
+                name: scenario.name.clone(),
+            };
+            argument.refuse(&argument.all(), fault, problems);
+        }
+    }
+}
+
+impl Setup {
+    /// The system file.
+    pub fn system_source(&self, problems: &mut Problems) -> Option<Source> {
+        match self.system.as_deref() {
+            None | Some(DEFAULT_SYSTEM) => Some(default_system()),
+            Some(path) => read(path, problems),
+        }
+    }
+
+    /// The values set on the command line.
+    pub fn settings(&self, problems: &mut Problems) -> Vec<Setting> {
+        let parsed = self.settings.iter().map(|setting| Setting::parse(setting));
+        parsed.filter_map(|read| problems.take(read)).collect()
+    }
+
+    /// The words that say the same on another command line.
+    pub fn words(&self) -> impl Iterator<Item = &str> {
+        let system = self.system.iter().flat_map(|path| ["--system", path]);
+        let settings = self.settings.iter().flat_map(|setting| ["--set", setting]);
+        system.chain(settings)
+    }
+}
+
+/// The system that comes with the program.
+pub fn default_system() -> Source {
+    Source::new(format!("{DEFAULT_SYSTEM}.ron"), embedded::system())
+}
+
+/// A scenario by name or path.
+pub fn scenario_source(typed: &str, problems: &mut Problems) -> Option<Source> {
+    if let Some(text) = embedded::scenario(typed) {
+        return Some(Source::new(format!("{typed}.ron"), text));
+    }
+    if is_path(typed) {
+        return read(typed, problems);
+    }
+    let argument = Argument::new("SCENARIO", typed);
+    argument.refuse(&argument.all(), unknown(typed), problems);
+    None
+}
+
+/// A scenario or system by name or path.
+pub fn any_source(typed: &str, problems: &mut Problems) -> Option<Source> {
+    if typed == DEFAULT_SYSTEM {
+        Some(default_system())
+    } else {
+        scenario_source(typed, problems)
+    }
+}
+
+/// Whether a word is meant as a path: it has a folder or an ending, or there is such a file.
+fn is_path(typed: &str) -> bool {
+    typed.contains(['/', MAIN_SEPARATOR])
+        || Path::new(typed).extension().is_some()
+        || Path::new(typed).exists()
+}
+
+fn read(path: &str, problems: &mut Problems) -> Option<Source> {
+    match fs::read_to_string(path) {
+        Ok(text) => Some(Source::new(path, text)),
+        Err(source) => {
+            problems.push(Problem::Read {
+                path: path.into(),
+                source,
+            });
+            None
+        }
+    }
+}
+
+fn unknown(got: &str) -> Fault {
+    let hint = match did_you_mean(got, embedded::names()) {
+        Some(name) => format!("did you mean `{name}`?"),
+        None => {
+            let known: Vec<&str> = embedded::names().collect();
+            format!("known: {}; or the path of a .ron file", known.join(", "))
+        }
+    };
+    Fault::Unknown {
+        what: "scenario",
+        got: got.to_string(),
+        hint,
+    }
+}

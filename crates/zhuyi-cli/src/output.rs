@@ -1,0 +1,104 @@
+//! Files that a command leaves behind: tried before the long run, written whole or not at all behind it.
+//!
+//! A file is made beside its place under another name and then renamed. What exists and is no ordinary file, as `/dev/full` or
+//! a pipe, is written to as it is.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use crate::error::Error;
+use crate::interrupt;
+use crate::problems::{Problem, Problems};
+
+/// A place that a file will be written to.
+#[derive(Debug)]
+pub struct Output {
+    path: PathBuf,
+    way: Way,
+}
+
+#[derive(Debug)]
+enum Way {
+    /// Made beside this place, links followed, and renamed to it.
+    Replace(PathBuf),
+    /// Written into what is there already.
+    Into(File),
+}
+
+impl Output {
+    /// Proves that a file can be written here; what stands here stays as it is for now.
+    pub fn reserve(path: &Path, problems: &mut Problems) -> Option<Self> {
+        let refused = |source| Problem::Write {
+            path: path.to_path_buf(),
+            source,
+        };
+        match Way::to(path) {
+            Ok(way) => Some(Self {
+                path: path.to_path_buf(),
+                way,
+            }),
+            Err(source) => {
+                problems.push(refused(source));
+                None
+            }
+        }
+    }
+
+    /// Writes the file.
+    pub fn write(self, bytes: &[u8]) -> Result<(), Error> {
+        let _whole = interrupt::writing();
+        let written = match self.way {
+            Way::Into(mut file) => file.write_all(bytes).and_then(|()| file.flush()),
+            Way::Replace(place) => replace(&place, bytes),
+        };
+        written.map_err(|source| Error::Write {
+            path: self.path,
+            source,
+        })
+    }
+}
+
+impl Way {
+    fn to(path: &Path) -> io::Result<Self> {
+        let exists = path.exists();
+        if exists {
+            let file = OpenOptions::new().append(true).open(path)?;
+            if !file.metadata()?.is_file() {
+                return Ok(Self::Into(file));
+            }
+        }
+        let place = if exists {
+            path.canonicalize()?
+        } else {
+            path.to_path_buf()
+        };
+        let beside = beside(&place)?;
+        File::create(&beside)?;
+        fs::remove_file(&beside)?;
+        Ok(Self::Replace(place))
+    }
+}
+
+/// The name under which a file is made until it is whole.
+fn beside(place: &Path) -> io::Result<PathBuf> {
+    let Some(name) = place.file_name() else {
+        return Err(io::ErrorKind::InvalidFilename.into());
+    };
+    let mut unfinished = std::ffi::OsString::from(".");
+    unfinished.push(name);
+    unfinished.push(format!(".{}.part", std::process::id()));
+    Ok(place.with_file_name(unfinished))
+}
+
+fn replace(place: &Path, bytes: &[u8]) -> io::Result<()> {
+    let beside = beside(place)?;
+    let made = File::create(&beside)
+        .and_then(|mut file| file.write_all(bytes).and_then(|()| file.sync_all()))
+        .and_then(|()| fs::rename(&beside, place));
+    if made.is_err() {
+        // The first error is the one to tell.
+        let _gone = fs::remove_file(&beside);
+    }
+    made
+}

@@ -1,0 +1,127 @@
+//! All that is wrong with what was asked for, gathered before anything runs.
+
+use std::io;
+use std::path::PathBuf;
+
+use annotate_snippets::Renderer;
+use zhuyi_scenario::{Invalid, Violation};
+
+use crate::argument::Misreading;
+use crate::error::Error;
+
+/// One thing wrong with what was asked for.
+#[derive(Debug)]
+pub enum Problem {
+    /// An argument of the command line.
+    Argument(Misreading),
+    /// A rule that a file or a setting breaks.
+    File(Violation),
+    /// A file that cannot be read.
+    Read {
+        /// Which.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// A place that cannot be written to.
+    Write {
+        /// Which.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+}
+
+impl Problem {
+    /// 2 for what the user can put right in a text, 4 for what the file system refuses.
+    fn exit_code(&self) -> u8 {
+        match self {
+            Self::Argument(_) | Self::File(_) => 2,
+            // Bytes that are no text are bad input, however they came.
+            Self::Read { source, .. } if source.kind() == io::ErrorKind::InvalidData => 2,
+            Self::Read { .. } | Self::Write { .. } => 4,
+        }
+    }
+
+    fn render(&self, coloured: bool) -> String {
+        match self {
+            Self::Argument(misreading) if coloured => misreading.render(&Renderer::styled()),
+            Self::Argument(misreading) => misreading.render(&Renderer::plain()),
+            Self::File(violation) => Invalid::from(violation.clone()).render(coloured),
+            Self::Read { path, source } => {
+                format!("error: cannot read `{}`: {source}", path.display())
+            }
+            Self::Write { path, source } => {
+                format!("error: cannot write `{}`: {source}", path.display())
+            }
+        }
+    }
+
+    /// Whether both say the same.
+    fn repeats(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Argument(one), Self::Argument(two)) => one == two,
+            (Self::File(one), Self::File(two)) => one == two,
+            (Self::Read { path: one, .. }, Self::Read { path: two, .. })
+            | (Self::Write { path: one, .. }, Self::Write { path: two, .. }) => one == two,
+            _ => false,
+        }
+    }
+}
+
+impl From<Misreading> for Problem {
+    fn from(misreading: Misreading) -> Self {
+        Self::Argument(misreading)
+    }
+}
+
+/// Problems in the order of being met, each once.
+#[derive(Debug, Default)]
+pub struct Problems(Vec<Problem>);
+
+impl Problems {
+    /// Notes a problem, unless it is known already.
+    pub fn push(&mut self, problem: impl Into<Problem>) {
+        let problem = problem.into();
+        if !self.0.iter().any(|known| known.repeats(&problem)) {
+            self.0.push(problem);
+        }
+    }
+
+    /// The value of a reading, or its violations noted.
+    pub fn take<T>(&mut self, read: Result<T, Invalid>) -> Option<T> {
+        match read {
+            Ok(value) => Some(value),
+            Err(invalid) => {
+                for violation in invalid.violations() {
+                    self.push(Problem::File(violation.clone()));
+                }
+                None
+            }
+        }
+    }
+
+    /// How many.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// What was meant, when nothing is wrong.
+    pub fn finish<T>(self, meant: Option<T>) -> Result<T, Error> {
+        match meant {
+            Some(meant) if self.0.is_empty() => Ok(meant),
+            _ => Err(Error::Refused(self)),
+        }
+    }
+
+    /// The gravest exit code.
+    pub fn exit_code(&self) -> u8 {
+        self.0.iter().map(Problem::exit_code).max().unwrap_or(2)
+    }
+
+    /// All of them, with carets; coloured for terminals if wanted.
+    pub fn render(&self, coloured: bool) -> String {
+        let drawn: Vec<String> = self.0.iter().map(|one| one.render(coloured)).collect();
+        drawn.join("\n\n")
+    }
+}
