@@ -8,7 +8,7 @@ mod fraction;
 mod required;
 mod safe;
 
-use std::fmt;
+use std::fmt::{self, Write as _};
 
 use crate::reproduce::Plan;
 use crate::reruns::Reruns;
@@ -69,9 +69,22 @@ pub fn examine(plan: &Plan, table: &Table, reruns: &Reruns) -> Vec<Claim> {
 
 /// `claims.md`.
 pub fn markdown(plan: &Plan, claims: &[Claim]) -> String {
-    let mut text = format!("# Claims 1 to 4\n\nWritten by `zhuyi reproduce`: {}.\n", plan.spelt());
-    for Claim { number, title, verdict, figures, details } in claims {
-        text += &format!("\n## {number}. {title}: {verdict}\n\n{figures}. Command: `zhuyi reproduce`.\n\n{details}");
+    let mut text = format!(
+        "# Claims 1 to 4\n\nWritten by `zhuyi reproduce`: {}.\n",
+        plan.spelt()
+    );
+    for Claim {
+        number,
+        title,
+        verdict,
+        figures,
+        details,
+    } in claims
+    {
+        let _ = write!(
+            text,
+            "\n## {number}. {title}: {verdict}\n\n{figures}. Command: `zhuyi reproduce`.\n\n{details}"
+        );
     }
     text
 }

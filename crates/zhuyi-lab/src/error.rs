@@ -43,6 +43,10 @@ impl Attempt {
     /// The error of this attempt on a path, for `map_err`.
     pub(crate) fn on(self, path: impl Into<PathBuf>) -> impl FnOnce(io::Error) -> LabError {
         let path = path.into();
-        move |source| LabError { attempt: self, path, source }
+        move |source| LabError {
+            attempt: self,
+            path,
+            source,
+        }
     }
 }

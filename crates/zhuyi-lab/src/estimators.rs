@@ -20,10 +20,22 @@ pub const PAPER: usize = 3;
 
 /// All of them.
 pub const VARIANTS: [Variant; 4] = [
-    Variant { solver: Solver::Exact, grid: Grid::Ms33 },
-    Variant { solver: Solver::Exact, grid: Grid::Thirtieths },
-    Variant { solver: Solver::Exact, grid: Grid::Fps },
-    Variant { solver: Solver::Paper, grid: Grid::Ms33 },
+    Variant {
+        solver: Solver::Exact,
+        grid: Grid::Ms33,
+    },
+    Variant {
+        solver: Solver::Exact,
+        grid: Grid::Thirtieths,
+    },
+    Variant {
+        solver: Solver::Exact,
+        grid: Grid::Fps,
+    },
+    Variant {
+        solver: Solver::Paper,
+        grid: Grid::Ms33,
+    },
 ];
 
 impl Variant {
@@ -67,6 +79,9 @@ mod tests {
     #[test]
     fn hand_the_places_are_what_they_say() {
         let names = |place: usize| (VARIANTS[place].solver_name(), VARIANTS[place].grid_name());
-        assert_eq!((names(TABLE), names(PAPER)), (("exact", "33ms"), ("paper", "33ms")));
+        assert_eq!(
+            (names(TABLE), names(PAPER)),
+            (("exact", "33ms"), ("paper", "33ms"))
+        );
     }
 }

@@ -52,7 +52,12 @@ pub fn json(plan: &Plan) -> String {
         root_seed: plan.root_seed,
         seeds: plan.seeds,
         rates_hz: &plan.rates,
-        scenarios: named.map(|(scenario, source)| File { name: &scenario.name, blake3: hash(source) }).collect(),
+        scenarios: named
+            .map(|(scenario, source)| File {
+                name: &scenario.name,
+                blake3: hash(source),
+            })
+            .collect(),
         system: System {
             name: plan.system_source.stem(),
             blake3: hash(&plan.system_source),
@@ -85,7 +90,9 @@ fn versions<'a>(lock: &'a str, root: &'a str) -> BTreeMap<&'a str, String> {
     let mut ahead = vec![root];
     while let Some(dependency) = ahead.pop() {
         let (name, version) = dependency.split_once(' ').unwrap_or((dependency, ""));
-        let meant = |package: &&Package<'a>| package.name == name && (version.is_empty() || package.version == version);
+        let meant = |package: &&Package<'a>| {
+            package.name == name && (version.is_empty() || package.version == version)
+        };
         for package in packages.iter().filter(meant) {
             if reached.insert((package.name, package.version)) {
                 ahead.extend(&package.dependencies);
@@ -104,7 +111,10 @@ fn versions<'a>(lock: &'a str, root: &'a str) -> BTreeMap<&'a str, String> {
 fn package(text: &str) -> Package<'_> {
     let mut package = Package::default();
     for line in text.lines().map(str::trim) {
-        if let Some(dependency) = line.strip_prefix('"').and_then(|line| line.strip_suffix("\",")) {
+        if let Some(dependency) = line
+            .strip_prefix('"')
+            .and_then(|line| line.strip_suffix("\","))
+        {
             package.dependencies.push(dependency);
         } else if let Some((key, value)) = line.split_once(" = ") {
             let value = value.trim_matches('"');
@@ -130,7 +140,11 @@ mod tests {
 [[package]]\nname = \"leaf\"\nversion = \"1.0.0\"\nchecksum = \"aa\"\n\n\
 [[package]]\nname = \"leaf\"\nversion = \"2.0.0\"\n\n\
 [[package]]\nname = \"stranger\"\nversion = \"9.0.0\"\n";
-        let expected = [("leaf", "1.0.0, 2.0.0"), ("middle", "1.1.0"), ("root", "0.1.0")];
+        let expected = [
+            ("leaf", "1.0.0, 2.0.0"),
+            ("middle", "1.1.0"),
+            ("root", "0.1.0"),
+        ];
         let expected = expected.map(|(name, versions)| (name, versions.to_string()));
         assert_eq!(versions(lock, "root"), BTreeMap::from(expected));
     }
@@ -138,9 +152,24 @@ mod tests {
     #[test]
     fn law_the_physics_is_named() {
         let versions = versions(LOCK, COMPUTING);
-        for name in ["parry2d", "rapier2d", "nalgebra", "rand_chacha", "blake3", "zhuyi-estimator"] {
-            assert!(versions.get(name).is_some_and(|version| !version.contains(", ")), "{name}");
+        for name in [
+            "parry2d",
+            "rapier2d",
+            "nalgebra",
+            "rand_chacha",
+            "blake3",
+            "zhuyi-estimator",
+        ] {
+            assert!(
+                versions
+                    .get(name)
+                    .is_some_and(|version| !version.contains(", ")),
+                "{name}"
+            );
         }
-        assert!(!versions.contains_key("clap"), "the command line does not compute");
+        assert!(
+            !versions.contains_key("clap"),
+            "the command line does not compute"
+        );
     }
 }

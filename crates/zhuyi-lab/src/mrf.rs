@@ -44,12 +44,19 @@ pub struct Required {
 /// If there is no rate.
 pub fn required(collisions: &[(u32, u32)]) -> Required {
     assert!(!collisions.is_empty(), "at least one rate must be tested");
-    let safe_from = collisions.iter().rposition(|(_, count)| *count > 0).map_or(0, |last| last + 1);
+    let safe_from = collisions
+        .iter()
+        .rposition(|(_, count)| *count > 0)
+        .map_or(0, |last| last + 1);
     let mrf = match collisions.get(safe_from) {
         Some((rate, _)) => Mrf::Rate(*rate),
         None => Mrf::Above(collisions[collisions.len() - 1].0),
     };
-    let safe_below = collisions[..safe_from].iter().filter(|(_, count)| *count == 0).map(|(rate, _)| *rate).collect();
+    let safe_below = collisions[..safe_from]
+        .iter()
+        .filter(|(_, count)| *count == 0)
+        .map(|(rate, _)| *rate)
+        .collect();
     Required { mrf, safe_below }
 }
 
@@ -63,7 +70,11 @@ mod tests {
             (&[(1, 0), (2, 0), (3, 0)], Mrf::Rate(1), &[]),
             (&[(1, 10), (2, 1), (3, 0)], Mrf::Rate(3), &[]),
             // Not monotone: 1 and 3 do not collide, yet 4 does.
-            (&[(1, 0), (2, 5), (3, 0), (4, 1), (5, 0)], Mrf::Rate(5), &[1, 3]),
+            (
+                &[(1, 0), (2, 5), (3, 0), (4, 1), (5, 0)],
+                Mrf::Rate(5),
+                &[1, 3],
+            ),
             (&[(1, 10), (30, 1)], Mrf::Above(30), &[]),
             // The highest collides: what is free of collisions below it is told all the same.
             (&[(1, 0), (2, 0), (30, 1)], Mrf::Above(30), &[1, 2]),
@@ -72,7 +83,11 @@ mod tests {
         ];
         for (collisions, mrf, safe_below) in cases {
             let found = required(collisions);
-            assert_eq!((found.mrf, found.safe_below.as_slice()), (mrf, safe_below), "{collisions:?}");
+            assert_eq!(
+                (found.mrf, found.safe_below.as_slice()),
+                (mrf, safe_below),
+                "{collisions:?}"
+            );
         }
     }
 

@@ -72,13 +72,23 @@ pub fn rows() -> Vec<Row> {
 fn row(line: &str) -> Row {
     let cells: Vec<&str> = line.split(',').collect();
     let number = |i: usize| cells[i].parse::<f64>().ok();
-    let required = |i: usize| number(i).unwrap_or_else(|| panic!("the paper's table lacks column {i} in: {line}"));
+    let required = |i: usize| {
+        number(i).unwrap_or_else(|| panic!("the paper's table lacks column {i} in: {line}"))
+    };
     let active = |i: usize| cells[i] == "yes";
     Row {
         scenario: cells[0].to_string(),
         ego_speed: required(1) as u32,
-        active: Active { front: active(2), right: active(3), left: active(4) },
-        mrf: if cells[5] == "<1" { 1 } else { required(5) as u32 },
+        active: Active {
+            front: active(2),
+            right: active(3),
+            left: active(4),
+        },
+        mrf: if cells[5] == "<1" {
+            1
+        } else {
+            required(5) as u32
+        },
         estimates: std::array::from_fn(|i| number(6 + i)),
         max_sum: required(18),
         fraction: required(19),
@@ -96,7 +106,10 @@ mod tests {
         assert_eq!(rows.iter().filter(|r| r.mrf > 1).count(), 4);
         // 97 cells carry an estimate (feasibility trial), 38 of them where the MRF is above 1 (claim 2a).
         let cells = |above: u32| -> usize {
-            rows.iter().filter(|r| r.mrf > above).map(|r| r.estimates.iter().flatten().count()).sum()
+            rows.iter()
+                .filter(|r| r.mrf > above)
+                .map(|r| r.estimates.iter().flatten().count())
+                .sum()
         };
         assert_eq!((cells(0), cells(1)), (97, 38));
     }

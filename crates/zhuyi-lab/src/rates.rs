@@ -26,11 +26,24 @@ pub fn group(name: &str) -> &str {
 pub fn own(system: &System, demands: &[f64]) -> FrameRates {
     let cameras = || system.perception.eyes.iter().map(|eye| &eye.camera);
     let rate = |(place, name): (usize, &str)| {
-        let leading = cameras().position(|other| other.analysed && group(&other.name) == group(name));
-        let leading = if system.perception.eyes[place].camera.analysed { Some(place) } else { leading };
-        leading.map_or(system.default_rates.all()[place], |leading| round_up(demands[leading]))
+        let leading =
+            cameras().position(|other| other.analysed && group(&other.name) == group(name));
+        let leading = if system.perception.eyes[place].camera.analysed {
+            Some(place)
+        } else {
+            leading
+        };
+        leading.map_or(system.default_rates.all()[place], |leading| {
+            round_up(demands[leading])
+        })
     };
-    FrameRates::new(cameras().map(|camera| camera.name.as_str()).enumerate().map(rate).collect())
+    FrameRates::new(
+        cameras()
+            .map(|camera| camera.name.as_str())
+            .enumerate()
+            .map(rate)
+            .collect(),
+    )
 }
 
 /// [Hz] a demand as the next whole rate, at least 1.
@@ -44,7 +57,10 @@ pub fn spelt(system: &System, rates: &FrameRates) -> String {
         [first, rest @ ..] if rest.iter().all(|rate| rate == first) => first.to_string(),
         all => {
             let names = system.perception.eyes.iter().map(|eye| &eye.camera.name);
-            let named: Vec<String> = names.zip(all).map(|(name, rate)| format!("{name}={rate}")).collect();
+            let named: Vec<String> = names
+                .zip(all)
+                .map(|(name, rate)| format!("{name}={rate}"))
+                .collect();
             named.join(",")
         }
     }
@@ -70,10 +86,21 @@ mod tests {
             })
             .collect();
         let spelt_own = |system: &System| spelt(system, &own(system, &demands));
-        assert_eq!(spelt_own(&system), "front_120=7,front_60=7,left=1,right=3,rear=30");
-        let rear = system.perception.eyes.iter_mut().find(|eye| eye.camera.name == "rear").unwrap();
+        assert_eq!(
+            spelt_own(&system),
+            "front_120=7,front_60=7,left=1,right=3,rear=30"
+        );
+        let rear = system
+            .perception
+            .eyes
+            .iter_mut()
+            .find(|eye| eye.camera.name == "rear")
+            .unwrap();
         rear.camera.name = "left_rear".into();
-        assert_eq!(spelt_own(&system), "front_120=7,front_60=7,left=1,right=3,left_rear=1");
+        assert_eq!(
+            spelt_own(&system),
+            "front_120=7,front_60=7,left=1,right=3,left_rear=1"
+        );
         assert_eq!(spelt(&system, &uniform(&system, 12)), "12");
     }
 }

@@ -81,32 +81,57 @@ impl Plan {
     /// # Errors
     /// When they are broken, which the tests of zhuyi-scenario exclude.
     pub fn embedded() -> Result<Self, Invalid> {
-        let scenario = |name| Some(Source::new(format!("{name}.ron"), embedded::scenario(name)?));
+        let scenario = |name| {
+            Some(Source::new(
+                format!("{name}.ron"),
+                embedded::scenario(name)?,
+            ))
+        };
         let scenarios: Vec<Source> = embedded::names().filter_map(scenario).collect();
         Self::read(&scenarios, &Source::new("default.ron", embedded::system()))
     }
 
     /// Its runs, in order.
     pub fn cells(&self) -> Vec<Cell> {
-        let rates: Vec<FrameRates> = self.rates.iter().map(|rate| uniform(&self.system, *rate)).collect();
+        let rates: Vec<FrameRates> = self
+            .rates
+            .iter()
+            .map(|rate| uniform(&self.system, *rate))
+            .collect();
         grid(self.scenarios.len(), &rates, 0..self.seeds)
     }
 
     /// What its runs have in common.
     pub fn experiment(&self) -> Experiment<'_> {
-        Experiment { scenarios: &self.scenarios, system: &self.system, root_seed: self.root_seed }
+        Experiment {
+            scenarios: &self.scenarios,
+            system: &self.system,
+            root_seed: self.root_seed,
+        }
     }
 
     /// Panics where the docs of its fields are not heeded.
     pub(crate) fn assert_complete(&self) {
-        assert!(!self.rates.is_empty() && self.rates.is_sorted(), "rates in ascending order, got {:?}", self.rates);
+        assert!(
+            !self.rates.is_empty() && self.rates.is_sorted(),
+            "rates in ascending order, got {:?}",
+            self.rates
+        );
         assert!(self.seeds > 0, "at least one seed");
     }
 
     /// How it is told in the files: `rates 1 to 30, 10 seeds, root seed 0`.
     pub(crate) fn spelt(&self) -> String {
-        let Self { seeds, root_seed, rates, .. } = self;
-        format!("rates {} FPR, {seeds} seeds, root seed {root_seed}", spans(rates))
+        let Self {
+            seeds,
+            root_seed,
+            rates,
+            ..
+        } = self;
+        format!(
+            "rates {} FPR, {seeds} seeds, root seed {root_seed}",
+            spans(rates)
+        )
     }
 }
 
@@ -123,7 +148,11 @@ pub fn reproduce(plan: &Plan, progress: &dyn Progress) -> Results {
     let table = Table::new(plan, &records);
     let reruns = Reruns::new(plan, &records, progress);
     let claims = claims::examine(plan, &table, &reruns);
-    let parts = [("sweep", records.as_slice()), ("rerun_largest", &reruns.largest), ("rerun_own", &reruns.own)];
+    let parts = [
+        ("sweep", records.as_slice()),
+        ("rerun_largest", &reruns.largest),
+        ("rerun_own", &reruns.own),
+    ];
     Results {
         files: vec![
             ("table1.md", files::markdown(plan, &table)),
@@ -141,5 +170,9 @@ pub fn reproduce(plan: &Plan, progress: &dyn Progress) -> Results {
 fn put_to<'e>(cell: &Cell, estimators: &'e [Estimator]) -> &'e [Estimator] {
     let rate = cell.rates.all()[0];
     let in_the_paper = paper::RATES.iter().any(|tested| f64::from(*tested) == rate);
-    if in_the_paper { estimators } else { &estimators[..1] }
+    if in_the_paper {
+        estimators
+    } else {
+        &estimators[..1]
+    }
 }

@@ -4,6 +4,7 @@
 //! same seeds are run again, once with all cameras at the largest, once with each camera at its own.
 
 use zhuyi_core::FrameRates;
+use zhuyi_sim::Peaks;
 
 use crate::estimators::TABLE;
 use crate::progress::Progress;
@@ -56,9 +57,14 @@ impl Reruns {
     pub fn new(plan: &Plan, records: &[Record], progress: &dyn Progress) -> Self {
         let seeds = plan.seeds as usize;
         let per_scenario = records.chunks(plan.rates.len() * seeds);
-        let asked: Vec<_> = per_scenario.map(|records| Asked::in_runs(&records[records.len() - seeds..])).collect();
+        let asked: Vec<_> = per_scenario
+            .map(|records| Asked::in_runs(&records[records.len() - seeds..]))
+            .collect();
         let rates_of = |rates: &dyn Fn(&Asked) -> FrameRates| -> Vec<_> {
-            asked.iter().map(|asked| asked.as_ref().map(rates)).collect()
+            asked
+                .iter()
+                .map(|asked| asked.as_ref().map(rates))
+                .collect()
         };
         let cameras = plan.system.perception.eyes.len();
         let largest = rates_of(&|asked| FrameRates::new(vec![round_up(asked.largest); cameras]));
@@ -68,15 +74,31 @@ impl Reruns {
         progress.start("runs again at the rates asked for", total as u64);
         let (largest, largest_records) = again(plan, &largest, progress);
         let (own, own_records) = again(plan, &own, progress);
-        let together = asked.into_iter().zip(largest).zip(own).map(|((asked, largest), own)| {
-            Some(Rerun { asked: asked?.largest, largest: largest?, own: own? })
-        });
-        Self { scenarios: together.collect(), largest: largest_records, own: own_records }
+        let together = asked
+            .into_iter()
+            .zip(largest)
+            .zip(own)
+            .map(|((asked, largest), own)| {
+                Some(Rerun {
+                    asked: asked?.largest,
+                    largest: largest?,
+                    own: own?,
+                })
+            });
+        Self {
+            scenarios: together.collect(),
+            largest: largest_records,
+            own: own_records,
+        }
     }
 }
 
 /// Runs each scenario that has rates at these.
-fn again(plan: &Plan, rates: &[Option<FrameRates>], progress: &dyn Progress) -> (Vec<Option<Trial>>, Vec<Record>) {
+fn again(
+    plan: &Plan,
+    rates: &[Option<FrameRates>],
+    progress: &dyn Progress,
+) -> (Vec<Option<Trial>>, Vec<Record>) {
     let of_scenario = |(scenario, rates): (usize, &Option<FrameRates>)| -> Vec<Cell> {
         let cells = grid(1, rates.as_slice(), 0..plan.seeds).into_iter();
         cells.map(|cell| Cell { scenario, ..cell }).collect()
@@ -84,36 +106,39 @@ fn again(plan: &Plan, rates: &[Option<FrameRates>], progress: &dyn Progress) -> 
     let cells: Vec<Cell> = rates.iter().enumerate().flat_map(of_scenario).collect();
     let records = plan.experiment().run(&cells, |_| &[], || progress.step());
     let trial = |(scenario, rates): (usize, &Option<FrameRates>)| {
-        let of_scenario = || records.iter().filter(|record| record.cell.scenario == scenario);
+        let of_scenario = || {
+            records
+                .iter()
+                .filter(|record| record.cell.scenario == scenario)
+        };
         Some(Trial {
             rates: rates.clone()?,
             runs: of_scenario().count() as u32,
-            collisions: of_scenario().filter(|record| record.collision.is_some()).count() as u32,
+            collisions: of_scenario()
+                .filter(|record| record.collision.is_some())
+                .count() as u32,
         })
     };
     (rates.iter().enumerate().map(trial).collect(), records)
 }
 
 impl Asked {
+    /// None where a run collided and so asked for nothing.
     fn in_runs(records: &[Record]) -> Option<Self> {
-        let mut asked: Option<Self> = None;
-        for record in records {
-            let peaks = record.peaks.get(TABLE)?;
-            let cameras = peaks.cameras.iter().map(|peak| peak.fpr);
-            match &mut asked {
-                None => asked = Some(Self { largest: peaks.largest, cameras: cameras.collect() }),
-                Some(asked) => {
-                    raise(&mut asked.largest, peaks.largest);
-                    asked.cameras.iter_mut().zip(cameras).for_each(|(most, demand)| raise(most, demand));
-                }
-            }
-        }
-        asked
+        let all: Vec<&Peaks> = records
+            .iter()
+            .map(|record| record.peaks.get(TABLE))
+            .collect::<Option<_>>()?;
+        let camera = |place: usize| largest(all.iter().map(|peaks| peaks.cameras[place].fpr));
+        Some(Self {
+            largest: largest(all.iter().map(|peaks| peaks.largest))?,
+            cameras: (0..all.first()?.cameras.len())
+                .map(camera)
+                .collect::<Option<_>>()?,
+        })
     }
 }
 
-fn raise(most: &mut f64, value: f64) {
-    if value > *most {
-        *most = value;
-    }
+fn largest(values: impl Iterator<Item = f64>) -> Option<f64> {
+    values.max_by(f64::total_cmp)
 }

@@ -47,7 +47,12 @@ impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Missing { file } => write!(f, "{file}: missing"),
-            Self::Line { file, line, expected, found } => {
+            Self::Line {
+                file,
+                line,
+                expected,
+                found,
+            } => {
                 let shown = |text: &Option<String>| match text {
                     Some(text) => format!("`{}`", text.escape_debug()),
                     None => "the end of the file".to_string(),
@@ -76,7 +81,11 @@ impl Results {
     /// old, and none is half-written.
     pub fn write(&self, dir: &Path) -> Result<(), LabError> {
         let draft = |(name, text): &(&str, String)| Draft::write(dir, name, text);
-        let drafts = self.files.iter().map(draft).collect::<Result<Vec<_>, _>>()?;
+        let drafts = self
+            .files
+            .iter()
+            .map(draft)
+            .collect::<Result<Vec<_>, _>>()?;
         for (draft, (name, _)) in drafts.into_iter().zip(&self.files) {
             draft.rename(&dir.join(name))?;
         }
@@ -115,7 +124,12 @@ fn first_difference(file: &'static str, expected: &str, found: &[u8]) -> Option<
         let pair = (expected.next(), found.next());
         if pair.0 != pair.1 {
             let (expected, found) = (text(pair.0), text(pair.1));
-            return Some(Difference::Line { file, line, expected, found });
+            return Some(Difference::Line {
+                file,
+                line,
+                expected,
+                found,
+            });
         }
     }
     None

@@ -40,35 +40,74 @@ pub fn robustness(plan: &Plan, progress: &dyn Progress) -> Results {
     plan.assert_complete();
     let variations = variations(plan);
     let sweeps = variations.len() as u64 + BLOCKS;
-    progress.start("variations and fresh seeds", sweeps * plan.cells().len() as u64);
-    let varied: Vec<Line> = variations.iter().map(|variation| varied(plan, variation, progress)).collect();
-    let fresh: Vec<Line> = (1..=BLOCKS).map(|block| fresh(plan, block, progress)).collect();
+    progress.start(
+        "variations and fresh seeds",
+        sweeps * plan.cells().len() as u64,
+    );
+    let varied: Vec<Line> = variations
+        .iter()
+        .map(|variation| varied(plan, variation, progress))
+        .collect();
+    let fresh: Vec<Line> = (1..=BLOCKS)
+        .map(|block| fresh(plan, block, progress))
+        .collect();
     let text = markdown(plan, &varied, &fresh);
-    Results { files: vec![("robustness.md", text)], claims: Vec::new(), summary: blocks_as_published(plan, &fresh) }
+    Results {
+        files: vec![("robustness.md", text)],
+        claims: Vec::new(),
+        summary: blocks_as_published(plan, &fresh),
+    }
 }
 
 fn varied(plan: &Plan, variation: &Variation, progress: &dyn Progress) -> Line {
-    let Variation { changed, by, scenarios, system } = variation;
-    let experiment = Experiment { scenarios, system, root_seed: plan.root_seed };
+    let Variation {
+        changed,
+        by,
+        scenarios,
+        system,
+    } = variation;
+    let experiment = Experiment {
+        scenarios,
+        system,
+        root_seed: plan.root_seed,
+    };
     let required = scan(&experiment, &plan.rates, 0..plan.seeds, progress);
-    Line { changed: (*changed).to_string(), by: by.clone(), required }
+    Line {
+        changed: (*changed).to_string(),
+        by: by.clone(),
+        required,
+    }
 }
 
 fn fresh(plan: &Plan, block: u64, progress: &dyn Progress) -> Line {
     let seeds = block * plan.seeds..(block + 1) * plan.seeds;
     let by = format!("{} to {}", seeds.start, seeds.end - 1);
-    Line { changed: "seeds".to_string(), by, required: scan(&plan.experiment(), &plan.rates, seeds, progress) }
+    Line {
+        changed: "seeds".to_string(),
+        by,
+        required: scan(&plan.experiment(), &plan.rates, seeds, progress),
+    }
 }
 
 /// The MRF of each scenario by the full scan of rates.
-fn scan(experiment: &Experiment<'_>, rates: &[u32], seeds: Range<u64>, progress: &dyn Progress) -> Vec<Required> {
+fn scan(
+    experiment: &Experiment<'_>,
+    rates: &[u32],
+    seeds: Range<u64>,
+    progress: &dyn Progress,
+) -> Vec<Required> {
     let per_rate = seeds.clone().count();
-    let all: Vec<FrameRates> = rates.iter().map(|rate| uniform(experiment.system, *rate)).collect();
+    let all: Vec<FrameRates> = rates
+        .iter()
+        .map(|rate| uniform(experiment.system, *rate))
+        .collect();
     let cells = grid(experiment.scenarios.len(), &all, seeds);
     let records = experiment.run(&cells, |_| &[], || progress.step());
     let per_scenario = records.chunks(rates.len() * per_rate);
     let of_scenario = |records: &[crate::sweep::Record]| {
-        let collisions = records.chunks(per_rate).map(|runs| runs.iter().filter(|run| run.collision.is_some()).count() as u32);
+        let collisions = records
+            .chunks(per_rate)
+            .map(|runs| runs.iter().filter(|run| run.collision.is_some()).count() as u32);
         required(&rates.iter().copied().zip(collisions).collect::<Vec<_>>())
     };
     per_scenario.map(of_scenario).collect()
@@ -76,14 +115,24 @@ fn scan(experiment: &Experiment<'_>, rates: &[u32], seeds: Range<u64>, progress:
 
 /// The paper's MRF of each scenario of a plan that it has.
 fn published(plan: &Plan) -> Vec<Option<Mrf>> {
-    let of_scenario = |scenario: &zhuyi_scenario::Scenario| paper::Row::of(&scenario.name).map(|row| Mrf::Rate(row.mrf));
+    let of_scenario = |scenario: &zhuyi_scenario::Scenario| {
+        paper::Row::of(&scenario.name).map(|row| Mrf::Rate(row.mrf))
+    };
     plan.scenarios.iter().map(of_scenario).collect()
 }
 
 /// How many of a line's MRFs are the paper's, and of how many.
 fn as_published(line: &Line, published: &[Option<Mrf>]) -> (usize, usize) {
-    let pairs = || line.required.iter().zip(published).filter_map(|(ours, paper)| Some((ours.mrf, (*paper)?)));
-    (pairs().filter(|(ours, paper)| ours == paper).count(), pairs().count())
+    let pairs = || {
+        line.required
+            .iter()
+            .zip(published)
+            .filter_map(|(ours, paper)| Some((ours.mrf, (*paper)?)))
+    };
+    (
+        pairs().filter(|(ours, paper)| ours == paper).count(),
+        pairs().count(),
+    )
 }
 
 fn markdown(plan: &Plan, varied: &[Line], fresh: &[Line]) -> String {
@@ -108,7 +157,11 @@ fn table(plan: &Plan, lines: &[Line]) -> String {
     header.extend(plan.scenarios.iter().map(|scenario| scenario.name.clone()));
     header.push("as published".to_string());
     let mut paper = cells(&["the paper's", ""]);
-    paper.extend(published.iter().map(|mrf| mrf.map_or(String::new(), |mrf| mrf.to_string())));
+    paper.extend(
+        published
+            .iter()
+            .map(|mrf| mrf.map_or(String::new(), |mrf| mrf.to_string())),
+    );
     paper.push(String::new());
     let line = |line: &Line| {
         let mut row = vec![line.changed.clone(), line.by.clone()];
@@ -123,7 +176,9 @@ fn table(plan: &Plan, lines: &[Line]) -> String {
         row.push(format!("{same} of {of}"));
         row
     };
-    let rows: Vec<_> = std::iter::once(paper).chain(lines.iter().map(line)).collect();
+    let rows: Vec<_> = std::iter::once(paper)
+        .chain(lines.iter().map(line))
+        .collect();
     markdown_table(&header, &rows)
 }
 
@@ -142,12 +197,21 @@ fn blocks_as_published(plan: &Plan, fresh: &[Line]) -> String {
         plan.seeds
     );
     for (place, scenario) in plan.scenarios.iter().enumerate() {
-        let Some(paper) = published[place] else { continue };
+        let Some(paper) = published[place] else {
+            continue;
+        };
         let mut found: Vec<Mrf> = fresh.iter().map(|line| line.required[place].mrf).collect();
         found.sort_unstable();
         if found.iter().any(|mrf| *mrf != paper) {
-            let counts = found.chunk_by(|a, b| a == b).map(|same| format!("{} in {}", same[0], same.len()));
-            let _ = write!(text, " {}: {}.", scenario.name, counts.collect::<Vec<_>>().join(", "));
+            let counts = found
+                .chunk_by(|a, b| a == b)
+                .map(|same| format!("{} in {}", same[0], same.len()));
+            let _ = write!(
+                text,
+                " {}: {}.",
+                scenario.name,
+                counts.collect::<Vec<_>>().join(", ")
+            );
         }
     }
     text

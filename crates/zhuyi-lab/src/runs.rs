@@ -5,35 +5,78 @@ use zhuyi_world::Side;
 
 use crate::estimators::TABLE;
 use crate::rates::spelt;
-use crate::sweep::{Experiment, Record};
+use crate::sweep::{Cell, Experiment, Record};
 use crate::text::{csv_row, decimals};
 
-/// The table of runs, header first: parts with their names, in their order. The estimates are those of the first estimator
-/// that a run was put to.
+/// How runs are called on the command line, so that each row can tell how to run it again.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Typed {
+    /// The scenarios as typed, in the order of the experiment: names or paths.
+    pub scenarios: Vec<String>,
+    /// What else every command needs, as `--system my.ron --set planner.min_gap_m=2`.
+    pub options: String,
+}
+
+impl Typed {
+    /// The scenarios and the system that come with the program.
+    pub fn embedded(experiment: &Experiment<'_>) -> Self {
+        let names = experiment
+            .scenarios
+            .iter()
+            .map(|scenario| scenario.name.clone());
+        Self {
+            scenarios: names.collect(),
+            options: String::new(),
+        }
+    }
+
+    /// The command that runs a cell again.
+    pub fn replay(&self, experiment: &Experiment<'_>, cell: &Cell) -> String {
+        let (scenario, rates) = (
+            &self.scenarios[cell.scenario],
+            spelt(experiment.system, &cell.rates),
+        );
+        let mut command = format!("zhuyi run {scenario} --fpr {rates} --seed {}", cell.seed);
+        if experiment.root_seed != 0 {
+            command += &format!(" --root-seed {}", experiment.root_seed);
+        }
+        if !self.options.is_empty() {
+            command += &format!(" {}", self.options);
+        }
+        command
+    }
+}
+
+/// The table of runs of embedded scenarios and the embedded system, header first: parts with their names, in their order. The
+/// estimates are those of the first estimator that a run was put to.
 pub fn csv(experiment: &Experiment<'_>, parts: &[(&str, &[Record])]) -> String {
+    csv_typed(experiment, &Typed::embedded(experiment), parts)
+}
+
+/// The same for scenarios and a system that were typed otherwise.
+pub fn csv_typed(
+    experiment: &Experiment<'_>,
+    typed: &Typed,
+    parts: &[(&str, &[Record])],
+) -> String {
     let mut text = header(experiment);
     for (part, records) in parts {
         for record in *records {
-            text += &row(experiment, part, record);
+            text += &row(experiment, typed, part, record);
         }
     }
     text
 }
 
-/// The command that runs a record's cell again.
-pub fn replay(experiment: &Experiment<'_>, record: &Record) -> String {
-    let cell = &record.cell;
-    let scenario = &experiment.scenarios[cell.scenario].name;
-    let (rates, seed) = (spelt(experiment.system, &cell.rates), cell.seed);
-    let root = match experiment.root_seed {
-        0 => String::new(),
-        root => format!(" --root-seed {root}"),
-    };
-    format!("zhuyi run {scenario} --fpr {rates} --seed {seed}{root}")
-}
-
 fn header(experiment: &Experiment<'_>) -> String {
-    let cameras = || experiment.system.perception.eyes.iter().map(|eye| &eye.camera.name);
+    let cameras = || {
+        experiment
+            .system
+            .perception
+            .eyes
+            .iter()
+            .map(|eye| &eye.camera.name)
+    };
     let run = ["scenario", "part", "fpr_hz", "seed", "outcome"];
     let collision = [
         "collision_time_s",
@@ -43,9 +86,24 @@ fn header(experiment: &Experiment<'_>) -> String {
         "ego_delta_v_mps",
         "actor_delta_v_mps",
     ];
-    let extremes = ["duration_s", "smallest_gap_m", "smallest_ttc_s", "hardest_braking_mps2"];
-    let demands = ["largest_estimate_fpr", "largest_sum_fpr", "beyond_grid", "unavoidable", "alongside"];
-    let fixed = run.into_iter().chain(collision).chain(extremes).map(String::from);
+    let extremes = [
+        "duration_s",
+        "smallest_gap_m",
+        "smallest_ttc_s",
+        "hardest_braking_mps2",
+    ];
+    let demands = [
+        "largest_estimate_fpr",
+        "largest_sum_fpr",
+        "beyond_grid",
+        "unavoidable",
+        "alongside",
+    ];
+    let fixed = run
+        .into_iter()
+        .chain(collision)
+        .chain(extremes)
+        .map(String::from);
     let frames = cameras().map(|name| format!("{name}_frames"));
     let shares = cameras().map(|name| format!("{name}_share_of_30fpr"));
     let last = demands.into_iter().chain(["replay"]).map(String::from);
@@ -53,10 +111,14 @@ fn header(experiment: &Experiment<'_>) -> String {
     csv_row(names.iter().map(String::as_str))
 }
 
-fn row(experiment: &Experiment<'_>, part: &str, record: &Record) -> String {
+fn row(experiment: &Experiment<'_>, typed: &Typed, part: &str, record: &Record) -> String {
     let cell = &record.cell;
     let scenario = &experiment.scenarios[cell.scenario];
-    let outcome = if record.collision.is_some() { "collision" } else { "completed" };
+    let outcome = if record.collision.is_some() {
+        "collision"
+    } else {
+        "completed"
+    };
     let mut fields = vec![
         scenario.name.clone(),
         part.to_string(),
@@ -71,16 +133,28 @@ fn row(experiment: &Experiment<'_>, part: &str, record: &Record) -> String {
     fields.push(decimals(extremes.gap, 4));
     fields.push(decimals(extremes.time_to_collision, 4));
     fields.push(decimals(Some(extremes.decel), 4));
-    fields.extend(record.frames.iter().map(|frames| frames.processed.to_string()));
+    fields.extend(
+        record
+            .frames
+            .iter()
+            .map(|frames| frames.processed.to_string()),
+    );
     let share = |processed: u64| (duration > 0.0).then(|| processed as f64 / (MAX_FPR * duration));
-    fields.extend(record.frames.iter().map(|frames| decimals(share(frames.processed), 4)));
+    fields.extend(
+        record
+            .frames
+            .iter()
+            .map(|frames| decimals(share(frames.processed), 4)),
+    );
     fields.extend(demand_fields(record));
-    fields.push(replay(experiment, record));
+    fields.push(typed.replay(experiment, cell));
     csv_row(fields.iter().map(String::as_str))
 }
 
 fn collision_fields(experiment: &Experiment<'_>, record: &Record) -> [String; 6] {
-    let Some(collision) = &record.collision else { return Default::default() };
+    let Some(collision) = &record.collision else {
+        return Default::default();
+    };
     let actors = &experiment.scenarios[record.cell.scenario].actors;
     let side = match collision.side {
         Side::Front => "front",
@@ -100,7 +174,9 @@ fn collision_fields(experiment: &Experiment<'_>, record: &Record) -> [String; 6]
 }
 
 fn demand_fields(record: &Record) -> [String; 5] {
-    let Some(peaks) = record.peaks.get(TABLE) else { return Default::default() };
+    let Some(peaks) = record.peaks.get(TABLE) else {
+        return Default::default();
+    };
     [
         decimals(Some(peaks.largest), 4),
         decimals(Some(peaks.sum), 4),

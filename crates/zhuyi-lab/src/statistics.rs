@@ -116,7 +116,9 @@ mod tests {
         let (low, high) = wilson_interval(14, 20);
         let (low_of_rest, high_of_rest) = wilson_interval(6, 20);
         assert!(low < 0.7 && 0.7 < high);
-        assert!((low + high_of_rest - 1.0).abs() < 1e-12 && (high + low_of_rest - 1.0).abs() < 1e-12);
+        assert!(
+            (low + high_of_rest - 1.0).abs() < 1e-12 && (high + low_of_rest - 1.0).abs() < 1e-12
+        );
         // Newcombe (1998): 81 of 263 has 0.2553 to 0.3662.
         let (low, high) = wilson_interval(81, 263);
         assert!((low - 0.2553).abs() < 5e-5 && (high - 0.3662).abs() < 5e-5);

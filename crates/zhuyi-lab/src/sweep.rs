@@ -90,7 +90,11 @@ pub fn grid(scenarios: usize, rates: &[FrameRates], seeds: Range<u64>) -> Vec<Ce
     let mut cells = Vec::new();
     for scenario in 0..scenarios {
         for rates in rates {
-            cells.extend(seeds.clone().map(|seed| Cell { scenario, rates: rates.clone(), seed }));
+            cells.extend(seeds.clone().map(|seed| Cell {
+                scenario,
+                rates: rates.clone(),
+                seed,
+            }));
         }
     }
     cells
@@ -116,7 +120,11 @@ impl Experiment<'_> {
     /// Runs one cell.
     pub fn record(&self, cell: &Cell, estimators: &[Estimator]) -> Record {
         let scenario = &self.scenarios[cell.scenario];
-        let draws = Draws { root: self.root_seed, scenario: &scenario.name, seed: cell.seed };
+        let draws = Draws {
+            root: self.root_seed,
+            scenario: &scenario.name,
+            seed: cell.seed,
+        };
         let run = Simulation::new(scenario, self.system, &cell.rates, draws).run();
         let collision = match &run.outcome {
             Outcome::Completed => None,
@@ -126,11 +134,16 @@ impl Experiment<'_> {
             Vec::new()
         } else {
             let hindsight = Hindsight::new(&run.trace, self.system);
-            estimators.iter().map(|estimator| hindsight.peaks(estimator)).collect()
+            estimators
+                .iter()
+                .map(|estimator| hindsight.peaks(estimator))
+                .collect()
         };
         Record {
             cell: cell.clone(),
-            end: collision.as_ref().map_or(scenario.duration, |collision| collision.time),
+            end: collision
+                .as_ref()
+                .map_or(scenario.duration, |collision| collision.time),
             collision,
             extremes: run.extremes(),
             active: self.active(&run.trace),
@@ -141,7 +154,11 @@ impl Experiment<'_> {
 
     fn active(&self, trace: &Trace) -> Vec<bool> {
         let sees = |eye: &Eye| {
-            let covers = |row: Row<'_>| row.actors.iter().any(|body| eye.camera.covers_body(row.ego.pose, body));
+            let covers = |row: Row<'_>| {
+                row.actors
+                    .iter()
+                    .any(|body| eye.camera.covers_body(row.ego.pose, body))
+            };
             trace.rows().step_by(GLANCE).any(covers)
         };
         self.system.perception.eyes.iter().map(sees).collect()
@@ -155,6 +172,11 @@ impl From<&zhuyi_sim::Collision> for Collision {
             ego_delta_v: crash.ego.delta_v,
             other_delta_v: crash.other.delta_v,
         });
-        Self { time: collision.time, actor: collision.actor, side: collision.side, impact }
+        Self {
+            time: collision.time,
+            actor: collision.actor,
+            side: collision.side,
+            impact,
+        }
     }
 }

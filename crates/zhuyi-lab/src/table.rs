@@ -82,11 +82,19 @@ impl Table {
     /// The table of a plan's records, which stand in the order of its cells.
     pub fn new(plan: &Plan, records: &[Record]) -> Self {
         let seeds = plan.seeds as usize;
-        let scenarios = plan.scenarios.iter().zip(records.chunks(plan.rates.len() * seeds));
+        let scenarios = plan
+            .scenarios
+            .iter()
+            .zip(records.chunks(plan.rates.len() * seeds));
         let row = |(scenario, records): (&zhuyi_scenario::Scenario, &[Record])| {
             let rates = plan.rates.iter().zip(records.chunks(seeds));
-            let tested: Vec<_> = rates.map(|(rate, records)| Tested::new(*rate, records)).collect();
-            let collisions: Vec<_> = tested.iter().map(|tested| (tested.rate, tested.collisions)).collect();
+            let tested: Vec<_> = rates
+                .map(|(rate, records)| Tested::new(*rate, records))
+                .collect();
+            let collisions: Vec<_> = tested
+                .iter()
+                .map(|tested| (tested.rate, tested.collisions))
+                .collect();
             let required = required(&collisions);
             let largest_sum = largest_sum(&required, records);
             Row {
@@ -100,14 +108,20 @@ impl Table {
                 required,
             }
         };
-        Self { rows: scenarios.map(row).collect() }
+        Self {
+            rows: scenarios.map(row).collect(),
+        }
     }
 }
 
 impl Row {
     /// The estimates at a rate by a variant; none where a run collided or the rate was not tested.
     pub fn estimates(&self, rate: u32, variant: usize) -> Option<&Estimates> {
-        self.tested.iter().find(|tested| tested.rate == rate)?.estimates.get(variant)
+        self.tested
+            .iter()
+            .find(|tested| tested.rate == rate)?
+            .estimates
+            .get(variant)
     }
 
     /// Whether the MRF is the paper's; none where the paper has no such row.
@@ -118,7 +132,10 @@ impl Row {
 
 impl Tested {
     fn new(rate: u32, records: &[Record]) -> Self {
-        let collisions = records.iter().filter(|record| record.collision.is_some()).count() as u32;
+        let collisions = records
+            .iter()
+            .filter(|record| record.collision.is_some())
+            .count() as u32;
         let of_variant = |variant: usize| {
             let peaks = records.iter().map(|record| record.peaks.get(variant));
             Estimates::new(&peaks.collect::<Option<Vec<_>>>()?)
@@ -135,7 +152,8 @@ impl Tested {
 impl Estimates {
     fn new(peaks: &[&Peaks]) -> Option<Self> {
         let all: Vec<f64> = peaks.iter().map(|peaks| peaks.largest).collect();
-        let runs = |flag: fn(&Peaks) -> bool| peaks.iter().filter(|peaks| flag(peaks)).count() as u32;
+        let runs =
+            |flag: fn(&Peaks) -> bool| peaks.iter().filter(|peaks| flag(peaks)).count() as u32;
         Some(Self {
             mean: mean(&all)?,
             median: median(&all)?,
@@ -149,9 +167,14 @@ impl Estimates {
 
 /// [FPR] over the runs at rates from the MRF on, none of which has collided.
 fn largest_sum(required: &Required, records: &[Record]) -> Option<f64> {
-    let Mrf::Rate(least) = required.mrf else { return None };
+    let Mrf::Rate(least) = required.mrf else {
+        return None;
+    };
     let mut largest = None;
-    for record in records.iter().filter(|record| record.cell.rates.all()[0] >= f64::from(least)) {
+    for record in records
+        .iter()
+        .filter(|record| record.cell.rates.all()[0] >= f64::from(least))
+    {
         let sum = record.peaks.get(TABLE)?.sum;
         if largest.is_none_or(|largest| sum > largest) {
             largest = Some(sum);
@@ -162,11 +185,24 @@ fn largest_sum(required: &Required, records: &[Record]) -> Option<f64> {
 
 /// [FPR] all analysed cameras at their highest rate: the paper's 90 for three.
 fn highest_sum(system: &System) -> f64 {
-    MAX_FPR * system.perception.eyes.iter().filter(|eye| eye.camera.analysed).count() as f64
+    MAX_FPR
+        * system
+            .perception
+            .eyes
+            .iter()
+            .filter(|eye| eye.camera.analysed)
+            .count() as f64
 }
 
 fn active(system: &System, records: &[Record]) -> Vec<(String, bool)> {
-    let analysed = system.perception.eyes.iter().enumerate().filter(|(_, eye)| eye.camera.analysed);
+    let analysed = system
+        .perception
+        .eyes
+        .iter()
+        .enumerate()
+        .filter(|(_, eye)| eye.camera.analysed);
     let active = |place: usize| records.iter().any(|record| record.active[place]);
-    analysed.map(|(place, eye)| (group(&eye.camera.name).to_string(), active(place))).collect()
+    analysed
+        .map(|(place, eye)| (group(&eye.camera.name).to_string(), active(place)))
+        .collect()
 }

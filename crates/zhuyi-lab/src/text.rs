@@ -8,10 +8,16 @@ pub(crate) fn markdown_table(header: &[String], rows: &[Vec<String>]) -> String 
     };
     let widths: Vec<usize> = (0..header.len()).map(width).collect();
     let line = |cells: &[String]| {
-        let padded = cells.iter().zip(&widths).map(|(cell, width)| format!(" {cell:<width$} |"));
+        let padded = cells
+            .iter()
+            .zip(&widths)
+            .map(|(cell, width)| format!(" {cell:<width$} |"));
         format!("|{}\n", padded.collect::<String>())
     };
-    let rule: String = widths.iter().map(|width| format!("{:-<1$}|", "", width + 2)).collect();
+    let rule: String = widths
+        .iter()
+        .map(|width| format!("{:-<1$}|", "", width + 2))
+        .collect();
     let body: String = rows.iter().map(|row| line(row)).collect();
     format!("{}|{rule}\n{body}", line(header))
 }
@@ -65,7 +71,9 @@ mod tests {
     fn hand_a_reader_of_csv_gets_back_what_was_written() {
         let fields = ["plain", "with, comma", "with \"quotes\"", "", "two\nlines"];
         let row = csv_row(fields);
-        let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(row.as_bytes());
+        let mut reader = csv::ReaderBuilder::new()
+            .has_headers(false)
+            .from_reader(row.as_bytes());
         let read = reader.records().next().unwrap().unwrap();
         assert_eq!(read.iter().collect::<Vec<_>>(), fields);
         assert!(row.starts_with("plain,"));

@@ -1,11 +1,11 @@
 //! The Kalman filter of one coordinate, along the road or across it.
 //!
 //! ```text
-//! x = (p, v, a),   ȧ = white noise of spectral density q
+//! x = (p, v, a),   a jumps by a step of variance q t when a frame interval t begins, then holds
 //!
-//!     ⎡1  t  t²/2⎤            ⎡t⁵/20  t⁴/8  t³/6⎤
-//! F = ⎢0  1   t  ⎥,   Q = q · ⎢t⁴/8   t³/3  t²/2⎥,   P ← F P Fᵀ + Q
-//!     ⎣0  0   1  ⎦            ⎣t³/6   t²/2   t  ⎦
+//!     ⎡1  t  t²/2⎤       ⎡t²/2⎤
+//! F = ⎢0  1   t  ⎥,   g = ⎢ t  ⎥,   Q = q t · g gᵀ,   P ← F P Fᵀ + Q
+//!     ⎣0  0   1  ⎦       ⎣ 1  ⎦
 //!
 //! per measured entry i:  k = P e_i / (P_ii + r_i),  x ← x + k (z_i - x_i),
 //!                        P ← (I - k e_iᵀ) P (I - k e_iᵀ)ᵀ + r_i k kᵀ
@@ -15,11 +15,12 @@
 //! |---|---|---|
 //! | p, v, a | position, speed, acceleration | m, m/s, m/s2 |
 //! | P | covariance of x | |
-//! | q | spectral density of the jerk | m2/s5 |
+//! | q | variance that the acceleration gains per second | m2/s5 |
 //! | z, r | measured position and speed, and their variances | m, m/s; squared |
 //!
-//! Source: Bar-Shalom, Li, Kirubarajan, *Estimation with Applications to Tracking and Navigation*, 2001, 6.2.3 (white
-//! jerk); Joseph's form of the update, 3.4.2. The two errors of a measurement are independent, so its entries may be
+//! Source: Bar-Shalom, Li, Kirubarajan, *Estimation with Applications to Tracking and Navigation*, 2001, 6.3.3 (discrete
+//! Wiener process acceleration); Joseph's form of the update, 3.4.2. A driver who begins to brake makes a step, not a
+//! ramp: under white jerk (6.2.3) the estimate after a step overshoots by half at 1 Hz and then swings. The two errors of a measurement are independent, so its entries may be
 //! taken one after the other and nothing has to be inverted. Leaves out any coupling between along and across.
 
 use nalgebra::{Matrix3, Vector3};
@@ -78,7 +79,7 @@ impl Axis {
         }
     }
 
-    /// After `time` [s] without a measurement, for a jerk of spectral density `jerk_density` [m2/s5].
+    /// After `time` [s] without a measurement, for an acceleration whose variance grows by `jerk_density` [m2/s5].
     ///
     /// ```
     /// use zhuyi_perception::axis::{Axis, Measurement};
@@ -91,19 +92,14 @@ impl Axis {
     #[must_use]
     pub fn predict(&self, time: f64, jerk_density: f64) -> Self {
         let t = time;
-        let (t2, t3, t4, t5) = (t * t, t.powi(3), t.powi(4), t.powi(5));
         #[rustfmt::skip]
         let f = Matrix3::new(
-            1.0, t,   t2 / 2.0,
+            1.0, t,   t * t / 2.0,
             0.0, 1.0, t,
             0.0, 0.0, 1.0,
         );
-        #[rustfmt::skip]
-        let q = Matrix3::new(
-            t5 / 20.0, t4 / 8.0, t3 / 6.0,
-            t4 / 8.0,  t3 / 3.0, t2 / 2.0,
-            t3 / 6.0,  t2 / 2.0, t,
-        ) * jerk_density;
+        let g = Vector3::new(t * t / 2.0, t, 1.0);
+        let q = g * g.transpose() * (jerk_density * t);
         Self {
             mean: f * self.mean,
             covariance: f * self.covariance * f.transpose() + q,

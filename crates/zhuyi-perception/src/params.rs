@@ -30,7 +30,7 @@ pub struct Perception {
     pub miss_rate: f64,
     /// M, consecutive missed frames of a camera that should see a track after which the track is lost; at least 1.
     pub lost_frames: u32,
-    /// [m2/s5] spectral density of the jerk along the road, by which the tracker expects accelerations to wander.
+    /// [m2/s5] variance per second by which the tracker expects accelerations along the road to wander.
     pub jerk_density_along: f64,
     /// [m2/s5] the same across the road.
     pub jerk_density_across: f64,

@@ -101,7 +101,7 @@ impl Case {
     }
 
     /// This case and fourteen that no measurement tells from it: the actor 0.1 mm to the right or left and the corridor
-    /// 0.2 mm wider or narrower, the actor 1 mm on or back, 0.1 ms early or late, the ego 1 mm/s faster or slower. The
+    /// 0.2 mm wider or narrower, the actor 1 mm on or back, 0.1 ms early or late, the ego 0.01 % faster or slower. The
     /// time is no multiple of a look's step: what lasts an instant only is passed over.
     pub fn twins(&self) -> impl Iterator<Item = Self> {
         let signs = [0.0, -1.0, 1.0];
@@ -118,7 +118,7 @@ impl Case {
             let mut twins = [self.clone(), self.clone(), self.clone()];
             twins[0].shift(sign * 1e-3);
             twins[1].now += sign * 1.05e-4;
-            twins[2].speed = f64::max(0.0, self.speed + sign * 1e-3);
+            twins[2].speed *= 1.0 + sign * 1e-4;
             twins
         });
         aside.chain(along)

@@ -153,34 +153,37 @@ impl<'a> Scan<'a> {
         contacts.all(|sample| self.ego(reaction, sample.time).0 <= sample.gap)
     }
 
-    /// [s] the samples that serve as t_n (R5, R6, R9), earliest first.
-    pub fn serving_times(&self, reaction: f64) -> impl Iterator<Item = f64> {
+    /// [s] the first sample that serves as t_n (R5, R6, R9).
+    pub fn first_t_n(&self, reaction: f64) -> Option<f64> {
         let clear_throughout = self.clear_throughout(reaction);
-        let looks = self
-            .samples
-            .iter()
-            .map(move |sample| (sample, self.ego(reaction, sample.time)));
-        let untouched =
-            looks.take_while(|(sample, (distance, _))| !sample.contact || *distance <= sample.gap);
-        let serving = untouched.filter(move |(sample, (distance, speed))| {
+        for sample in &self.samples {
+            let (distance, speed) = self.ego(reaction, sample.time);
+            if sample.contact && distance > sample.gap {
+                return None;
+            }
+            if sample.time < reaction {
+                continue;
+            }
             let begun = self
                 .first_conflict
                 .is_some_and(|first| first <= sample.time);
             let satisfied = if begun && !sample.conflict {
                 clear_throughout
             } else {
-                *distance <= self.case.params.c1 * sample.gap + TOLERANCE
-                    && *speed <= self.case.params.c2 * f64::max(0.0, sample.speed) + TOLERANCE
+                distance <= self.case.params.c1 * sample.gap + TOLERANCE
+                    && speed <= self.case.params.c2 * f64::max(0.0, sample.speed) + TOLERANCE
             };
-            sample.time >= reaction && satisfied
-        });
-        serving.map(|(sample, _)| sample.time)
+            if satisfied {
+                return Some(sample.time);
+            }
+        }
+        None
     }
 
     /// The verdict on one reaction time.
     pub fn tolerates(&self, reaction: f64) -> bool {
         match self.criterion() {
-            Criterion::Paper => self.serving_times(reaction).next().is_some(),
+            Criterion::Paper => self.first_t_n(reaction).is_some(),
             Criterion::Standstill => self.clear_throughout(reaction),
         }
     }

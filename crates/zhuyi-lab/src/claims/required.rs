@@ -8,11 +8,18 @@ pub(super) fn claim(table: &Table) -> Claim {
     let mut lines = Vec::new();
     let (mut as_published, mut published) = (0, 0);
     for row in &table.rows {
-        let Some((paper, same)) = row.paper.as_ref().zip(row.mrf_is_the_papers()) else { continue };
+        let Some((paper, same)) = row.paper.as_ref().zip(row.mrf_is_the_papers()) else {
+            continue;
+        };
         published += 1;
         as_published += usize::from(same);
         let verdict = if same { "as published" } else { "differs" };
-        lines.push(cells(&[&row.scenario, &row.required.mrf.to_string(), &paper.mrf.to_string(), verdict]));
+        lines.push(cells(&[
+            &row.scenario,
+            &row.required.mrf.to_string(),
+            &paper.mrf.to_string(),
+            verdict,
+        ]));
     }
     let header = cells(&["scenario", "ours", "paper", ""]);
     Claim {

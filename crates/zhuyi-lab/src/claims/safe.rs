@@ -26,6 +26,14 @@ impl Cell<'_> {
         self.row.required.mrf != Mrf::Rate(1)
     }
 
+    /// [FPR] how far the estimate is above the MRF, where that can fail.
+    fn margin(&self) -> Option<f64> {
+        match self.row.required.mrf {
+            Mrf::Rate(rate) if self.can_fail() => Some(self.estimates.mean - f64::from(rate)),
+            _ => None,
+        }
+    }
+
     fn is_safe(&self, estimate: f64) -> bool {
         match self.row.required.mrf {
             Mrf::Rate(rate) => estimate >= f64::from(rate),
@@ -36,7 +44,13 @@ impl Cell<'_> {
 
 fn with_estimates(row: &Row) -> impl Iterator<Item = Cell<'_>> {
     let rates = row.tested.iter().map(|tested| tested.rate);
-    rates.filter_map(move |rate| Some(Cell { row, rate, estimates: row.estimates(rate, TABLE)? }))
+    rates.filter_map(move |rate| {
+        Some(Cell {
+            row,
+            rate,
+            estimates: row.estimates(rate, TABLE)?,
+        })
+    })
 }
 
 /// Claim 2a.
@@ -45,7 +59,13 @@ pub(super) fn at_every_rate(table: &Table) -> Claim {
     let of_the_paper = || all.iter().filter(|cell| paper::RATES.contains(&cell.rate));
     let is_below = |cell: &&Cell<'_>| !cell.is_safe(cell.estimates.mean);
     let below = all.iter().filter(is_below).count();
-    let runs_below = |cell: &Cell<'_>| cell.estimates.all.iter().filter(|estimate| !cell.is_safe(**estimate)).count();
+    let runs_below = |cell: &Cell<'_>| {
+        cell.estimates
+            .all
+            .iter()
+            .filter(|estimate| !cell.is_safe(**estimate))
+            .count()
+    };
     Claim {
         number: "2a",
         title: "The estimate is at least the MRF in every cell",
@@ -62,7 +82,9 @@ pub(super) fn at_every_rate(table: &Table) -> Claim {
             cells_below(table),
             of_the_paper().filter(|cell| cell.can_fail()).count(),
             all.iter().map(runs_below).sum::<usize>(),
-            all.iter().map(|cell| cell.estimates.all.len()).sum::<usize>(),
+            all.iter()
+                .map(|cell| cell.estimates.all.len())
+                .sum::<usize>(),
             thinnest_margin(&all)
         ),
     }
@@ -72,12 +94,21 @@ pub(super) fn at_every_rate(table: &Table) -> Claim {
 fn cells_below(table: &Table) -> String {
     let mut text = String::new();
     for row in &table.rows {
-        let below: Vec<_> = with_estimates(row).filter(|cell| !cell.is_safe(cell.estimates.mean)).collect();
+        let below: Vec<_> = with_estimates(row)
+            .filter(|cell| !cell.is_safe(cell.estimates.mean))
+            .collect();
         let rates: Vec<u32> = below.iter().map(|cell| cell.rate).collect();
-        let least = below.iter().map(|cell| cell.estimates.mean).min_by(f64::total_cmp);
+        let least = below
+            .iter()
+            .map(|cell| cell.estimates.mean)
+            .min_by(f64::total_cmp);
         if let Some(least) = least {
             let (rates, mrf) = (spans(&rates), row.required.mrf);
-            let _ = writeln!(text, "- {} at {rates} FPR: estimates from {least:.3}, MRF {mrf}", row.scenario);
+            let _ = writeln!(
+                text,
+                "- {} at {rates} FPR: estimates from {least:.3}, MRF {mrf}",
+                row.scenario
+            );
         }
     }
     if !text.is_empty() {
@@ -88,13 +119,15 @@ fn cells_below(table: &Table) -> String {
 
 /// The cell that is closest to its MRF, or the farthest below.
 fn thinnest_margin(all: &[Cell<'_>]) -> String {
-    let margin = |cell: &Cell<'_>| match cell.row.required.mrf {
-        Mrf::Rate(rate) if cell.can_fail() => Some((cell.estimates.mean - f64::from(rate), cell.rate, cell.row)),
-        _ => None,
-    };
-    let thinnest = all.iter().filter_map(margin).min_by(|(a, ..), (b, ..)| a.total_cmp(b));
-    thinnest.map_or(String::new(), |(margin, rate, row)| {
-        format!(" The thinnest margin is {margin:.3} FPR: {} at {rate} FPR.", row.scenario)
+    let thinnest = all
+        .iter()
+        .filter_map(|cell| Some((cell.margin()?, cell)))
+        .min_by(|(a, _), (b, _)| a.total_cmp(b));
+    thinnest.map_or(String::new(), |(margin, cell)| {
+        format!(
+            " The thinnest margin is {margin:.3} FPR: {} at {} FPR.",
+            cell.row.scenario, cell.rate
+        )
     })
 }
 
@@ -104,7 +137,14 @@ pub(super) fn at_the_rates_asked_for(plan: &Plan, table: &Table, reruns: &Reruns
     let (mut trials, mut free) = (0, 0);
     for (row, rerun) in table.rows.iter().zip(&reruns.scenarios) {
         let Some(rerun) = rerun else {
-            lines.push(cells(&[&row.scenario, "none: a run collided", "", "", "", ""]));
+            lines.push(cells(&[
+                &row.scenario,
+                "none: a run collided",
+                "",
+                "",
+                "",
+                "",
+            ]));
             trials += 2;
             continue;
         };
@@ -122,7 +162,14 @@ pub(super) fn at_the_rates_asked_for(plan: &Plan, table: &Table, reruns: &Reruns
             collisions(&rerun.own),
         ]);
     }
-    let header = cells(&["scenario", "asked for", "all cameras at", "collisions", "each camera at its own", "collisions"]);
+    let header = cells(&[
+        "scenario",
+        "asked for",
+        "all cameras at",
+        "collisions",
+        "each camera at its own",
+        "collisions",
+    ]);
     let (seeds, bound) = (plan.seeds, 100.0 * bound_without_event(plan.seeds as u32));
     let highest = plan.rates.last().map_or(String::new(), u32::to_string);
     Claim {

@@ -30,10 +30,24 @@ const VISIBLE: [f64; 2] = [0.25, 0.5];
 
 /// All of them, the unchanged plan first.
 pub(super) fn variations(plan: &Plan) -> Vec<Variation> {
-    let unchanged = ("nothing", String::new(), plan.scenarios.clone(), plan.system.clone());
+    let unchanged = (
+        "nothing",
+        String::new(),
+        plan.scenarios.clone(),
+        plan.system.clone(),
+    );
     let distances = DISTANCES.map(|factor| {
-        let scenarios = plan.scenarios.iter().map(|scenario| scaled(scenario, factor)).collect();
-        ("distances", format!("x {factor:.2}"), scenarios, plan.system.clone())
+        let scenarios = plan
+            .scenarios
+            .iter()
+            .map(|scenario| scaled(scenario, factor))
+            .collect();
+        (
+            "distances",
+            format!("x {factor:.2}"),
+            scenarios,
+            plan.system.clone(),
+        )
     });
     let system = |changed: &'static str, by: String, change: &dyn Fn(&mut System)| {
         let mut system = plan.system.clone();
@@ -41,17 +55,39 @@ pub(super) fn variations(plan: &Plan) -> Vec<Variation> {
         (changed, by, plan.scenarios.clone(), system)
     };
     let braking = BRAKING.map(|by| {
-        system("hardest braking", format!("{by:+.2} m/s2"), &|system| system.planner.max_decel += by)
+        system("hardest braking", format!("{by:+.2} m/s2"), &|system| {
+            system.planner.max_decel += by;
+        })
     });
-    let lag = LAG.map(|by| system("actuator lag", format!("{by:+.2} s"), &|system| system.vehicle.accel_lag += by));
+    let lag = LAG.map(|by| {
+        system("actuator lag", format!("{by:+.2} s"), &|system| {
+            system.vehicle.accel_lag += by;
+        })
+    });
     let headway = HEADWAY.map(|by| {
-        system("headway", format!("{by:+.1} s"), &|system| system.planner.time_headway += by)
+        system("headway", format!("{by:+.1} s"), &|system| {
+            system.planner.time_headway += by;
+        })
     });
     let visible = VISIBLE.map(|share| {
-        system("visible share", format!("{share:.2}"), &|system| system.perception.visible_share = share)
+        system("visible share", format!("{share:.2}"), &|system| {
+            system.perception.visible_share = share;
+        })
     });
-    let all = [unchanged].into_iter().chain(distances).chain(braking).chain(lag).chain(headway).chain(visible);
-    all.map(|(changed, by, scenarios, system)| Variation { changed, by, scenarios, system }).collect()
+    let all = [unchanged]
+        .into_iter()
+        .chain(distances)
+        .chain(braking)
+        .chain(lag)
+        .chain(headway)
+        .chain(visible);
+    all.map(|(changed, by, scenarios, system)| Variation {
+        changed,
+        by,
+        scenarios,
+        system,
+    })
+    .collect()
 }
 
 /// A scenario with every distance scaled: what manoeuvres wait for, and gaps ahead at the start.
@@ -63,7 +99,9 @@ fn scaled(scenario: &Scenario, factor: f64) -> Scenario {
         }
         for manoeuvre in &mut actor.manoeuvres {
             match &mut manoeuvre.when {
-                Trigger::GapToEgo(distance) | Trigger::DistanceTo { distance, .. } => *distance *= factor,
+                Trigger::GapToEgo(distance) | Trigger::DistanceTo { distance, .. } => {
+                    *distance *= factor;
+                }
                 Trigger::TimeToCollision(time) => *time *= factor,
                 Trigger::Time(_) => {}
             }
@@ -86,24 +124,40 @@ mod tests {
             let of_scenarios = variation.scenarios != plan.scenarios;
             let of_system = variation.system != plan.system;
             // The published share may be one of those shown.
-            assert!(of_scenarios != of_system || variation.changed == "visible share", "{} {}", variation.changed, variation.by);
+            assert!(
+                of_scenarios != of_system || variation.changed == "visible share",
+                "{} {}",
+                variation.changed,
+                variation.by
+            );
         }
     }
 
     #[test]
     fn hand_distances_scale_and_times_stay() {
         let plan = Plan::embedded().unwrap();
-        let cut_out = plan.scenarios.iter().find(|scenario| scenario.name == "cut-out").unwrap();
+        let cut_out = plan
+            .scenarios
+            .iter()
+            .find(|scenario| scenario.name == "cut-out")
+            .unwrap();
         let scaled = scaled(cut_out, 1.1);
         let ahead = |scenario: &Scenario| {
-            let gaps = scenario.actors.iter().filter_map(|actor| match actor.start.along {
-                Place::Ahead(gap) => Some(gap),
-                _ => None,
-            });
+            let gaps = scenario
+                .actors
+                .iter()
+                .filter_map(|actor| match actor.start.along {
+                    Place::Ahead(gap) => Some(gap),
+                    _ => None,
+                });
             gaps.collect::<Vec<f64>>()
         };
         let waits = |scenario: &Scenario| {
-            let triggers = scenario.actors.iter().flat_map(|actor| &actor.manoeuvres).map(|manoeuvre| manoeuvre.when);
+            let triggers = scenario
+                .actors
+                .iter()
+                .flat_map(|actor| &actor.manoeuvres)
+                .map(|manoeuvre| manoeuvre.when);
             triggers
                 .filter_map(|when| match when {
                     Trigger::DistanceTo { distance, .. } => Some(distance),
@@ -115,6 +169,9 @@ mod tests {
         assert!(!ahead(cut_out).is_empty() && !waits(cut_out).is_empty());
         assert_eq!(ahead(&scaled), times(ahead(cut_out)));
         assert_eq!(waits(&scaled), times(waits(cut_out)));
-        assert_eq!((scaled.ego, scaled.duration), (cut_out.ego, cut_out.duration));
+        assert_eq!(
+            (scaled.ego, scaled.duration),
+            (cut_out.ego, cut_out.duration)
+        );
     }
 }

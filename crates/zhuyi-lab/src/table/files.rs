@@ -25,19 +25,52 @@ pub fn csv(table: &Table) -> String {
             text += &csv_row([&row.scenario, quantity, solver, &ours, &paper]);
         };
         let paper = row.paper.as_ref();
-        add("mrf", "", row.required.mrf.to_string(), paper.map(|paper| f64::from(paper.mrf)));
-        for (place, variant) in VARIANTS.iter().enumerate().filter(|(_, variant)| variant.grid == VARIANTS[TABLE].grid) {
-            for tested in row.tested.iter().filter(|tested| place == TABLE || paper::RATES.contains(&tested.rate)) {
+        add(
+            "mrf",
+            "",
+            row.required.mrf.to_string(),
+            paper.map(|paper| f64::from(paper.mrf)),
+        );
+        for (place, variant) in VARIANTS
+            .iter()
+            .enumerate()
+            .filter(|(_, variant)| variant.grid == VARIANTS[TABLE].grid)
+        {
+            for tested in row
+                .tested
+                .iter()
+                .filter(|tested| place == TABLE || paper::RATES.contains(&tested.rate))
+            {
                 let (rate, estimates) = (tested.rate, tested.estimates.get(place));
                 let published = paper.and_then(|paper| paper.estimate(rate));
                 let (mean, median) = (estimates.map(|of| of.mean), estimates.map(|of| of.median));
-                add(&format!("est_{rate}"), variant.solver_name(), decimals(mean, 4), published);
-                add(&format!("est_median_{rate}"), variant.solver_name(), decimals(median, 4), published);
+                add(
+                    &format!("est_{rate}"),
+                    variant.solver_name(),
+                    decimals(mean, 4),
+                    published,
+                );
+                add(
+                    &format!("est_median_{rate}"),
+                    variant.solver_name(),
+                    decimals(median, 4),
+                    published,
+                );
             }
         }
         let solver = VARIANTS[TABLE].solver_name();
-        add("max_sum", solver, decimals(row.largest_sum, 4), paper.map(|paper| paper.max_sum));
-        add("fraction", solver, decimals(row.fraction, 4), paper.map(|paper| paper.fraction));
+        add(
+            "max_sum",
+            solver,
+            decimals(row.largest_sum, 4),
+            paper.map(|paper| paper.max_sum),
+        );
+        add(
+            "fraction",
+            solver,
+            decimals(row.fraction, 4),
+            paper.map(|paper| paper.fraction),
+        );
     }
     text
 }
@@ -61,23 +94,34 @@ pub fn markdown(plan: &Plan, table: &Table) -> String {
     text += &alongside(table);
     text += "\n\n## Collisions\n\n";
     text += &collisions(table);
-    let _ = write!(text, "\nRuns out of {} that collide, by rate [FPR]; a dot is none. ", plan.seeds);
+    let _ = write!(
+        text,
+        "\nRuns out of {} that collide, by rate [FPR]; a dot is none. ",
+        plan.seeds
+    );
     text += &not_monotone(table);
     text
 }
 
 /// The rates of the paper's table that were tested.
 fn columns(table: &Table) -> Vec<u32> {
-    let tested = |rate: &u32| table.rows.iter().any(|row| row.tested.iter().any(|tested| tested.rate == *rate));
+    let tested = |rate: &u32| {
+        table
+            .rows
+            .iter()
+            .any(|row| row.tested.iter().any(|tested| tested.rate == *rate))
+    };
     paper::RATES.into_iter().filter(tested).collect()
 }
 
 fn beside(table: &Table) -> String {
     let rates = columns(table);
-    let directions: Vec<&str> = table
-        .rows
-        .first()
-        .map_or(Vec::new(), |row| row.active.iter().map(|(direction, _)| direction.as_str()).collect());
+    let directions: Vec<&str> = table.rows.first().map_or(Vec::new(), |row| {
+        row.active
+            .iter()
+            .map(|(direction, _)| direction.as_str())
+            .collect()
+    });
     let mut header = cells(&["scenario", "", "mph"]);
     header.extend(cells(&directions));
     header.push("MRF".to_string());
@@ -86,35 +130,62 @@ fn beside(table: &Table) -> String {
     let mut lines = Vec::new();
     for row in &table.rows {
         lines.push(ours(row, &rates));
-        lines.extend(row.paper.as_ref().map(|paper| papers(paper, &rates, &directions)));
+        lines.extend(
+            row.paper
+                .as_ref()
+                .map(|paper| papers(paper, &rates, &directions)),
+        );
     }
     markdown_table(&header, &lines)
 }
 
 fn ours(row: &Row, rates: &[u32]) -> Vec<String> {
-    let mut line = cells(&[&row.scenario, "ours", &format!("{:.0}", row.ego_speed / MPH)]);
+    let mut line = cells(&[
+        &row.scenario,
+        "ours",
+        &format!("{:.0}", row.ego_speed / MPH),
+    ]);
     line.extend(row.active.iter().map(|(_, active)| yes(*active)));
     line.push(row.required.mrf.to_string());
     line.extend(rates.iter().map(|rate| {
-        row.estimates(*rate, TABLE).map_or("N/A".to_string(), |of| format!("{:.1}", of.mean))
+        row.estimates(*rate, TABLE)
+            .map_or("N/A".to_string(), |of| format!("{:.1}", of.mean))
     }));
-    line.push(row.largest_sum.map_or("N/A".to_string(), |sum| format!("{sum:.1}")));
-    line.push(row.fraction.map_or("N/A".to_string(), |fraction| format!("{fraction:.3}")));
+    line.push(
+        row.largest_sum
+            .map_or("N/A".to_string(), |sum| format!("{sum:.1}")),
+    );
+    line.push(
+        row.fraction
+            .map_or("N/A".to_string(), |fraction| format!("{fraction:.3}")),
+    );
     line
 }
 
 fn papers(paper: &paper::Row, rates: &[u32], directions: &[&str]) -> Vec<String> {
     let mut line = cells(&["", "paper", &paper.ego_speed.to_string()]);
-    line.extend(directions.iter().map(|direction| paper.is_active(direction).map_or(String::new(), yes)));
+    line.extend(
+        directions
+            .iter()
+            .map(|direction| paper.is_active(direction).map_or(String::new(), yes)),
+    );
     line.push(paper.mrf.to_string());
-    line.extend(rates.iter().map(|rate| paper.estimate(*rate).map_or("N/A".to_string(), |of| of.to_string())));
+    line.extend(rates.iter().map(|rate| {
+        paper
+            .estimate(*rate)
+            .map_or("N/A".to_string(), |of| of.to_string())
+    }));
     line.push(paper.max_sum.to_string());
     line.push(format!("{:.2}", paper.fraction));
     line
 }
 
 fn yes(active: bool) -> String {
-    if active { "yes".to_string() } else { "no".to_string() }
+    if active {
+        "yes".to_string()
+    } else {
+        "no".to_string()
+    }
 }
 
 fn behind(table: &Table) -> String {
@@ -146,7 +217,11 @@ fn alongside(table: &Table) -> String {
         let of = |tested: &Tested| tested.estimates.get(TABLE).map_or(0, |of| of.alongside);
         let runs: u32 = row.tested.iter().map(of).sum();
         if runs > 0 {
-            let _ = write!(text, " Alongside, which no rate helps, was an actor in {runs} runs of {}.", row.scenario);
+            let _ = write!(
+                text,
+                " Alongside, which no rate helps, was an actor in {runs} runs of {}.",
+                row.scenario
+            );
         }
     }
     text
@@ -161,7 +236,9 @@ fn collisions(table: &Table) -> String {
         runs => runs.to_string(),
     };
     let line = |row: &Row| {
-        std::iter::once(row.scenario.clone()).chain(row.tested.iter().map(count)).collect()
+        std::iter::once(row.scenario.clone())
+            .chain(row.tested.iter().map(count))
+            .collect()
     };
     markdown_table(&header, &table.rows.iter().map(line).collect::<Vec<_>>())
 }
@@ -169,7 +246,13 @@ fn collisions(table: &Table) -> String {
 fn not_monotone(table: &Table) -> String {
     let odd = |row: &Row| {
         let safe = &row.required.safe_below;
-        (!safe.is_empty()).then(|| format!("{}: no collision at {} FPR, below its MRF", row.scenario, spans(safe)))
+        (!safe.is_empty()).then(|| {
+            format!(
+                "{}: no collision at {} FPR, below its MRF",
+                row.scenario,
+                spans(safe)
+            )
+        })
     };
     let odd: Vec<String> = table.rows.iter().filter_map(odd).collect();
     if odd.is_empty() {

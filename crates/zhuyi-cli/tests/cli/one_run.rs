@@ -1,0 +1,179 @@
+//! `run`: text, JSON, trace, rates, settings.
+
+use crate::Bench;
+use serde_json::Value;
+use zhuyi_scenario::embedded;
+
+fn json(bench: &Bench, line: &str) -> Value {
+    serde_json::from_str(&bench.out(&format!("run {line} --json"))).unwrap()
+}
+
+/// The rate of every camera, in the order of the rig.
+fn rates(bench: &Bench, fpr: &str) -> Vec<(String, f64)> {
+    let document = json(bench, &format!("vehicle-following --set duration_s=1 --fpr {fpr}"));
+    let cameras = document["cameras"].as_array().unwrap().iter();
+    cameras
+        .map(|camera| (camera["name"].as_str().unwrap().to_string(), camera["rate_fpr"].as_f64().unwrap()))
+        .collect()
+}
+
+#[test]
+fn hand_the_summary_of_a_drive_without_collision() {
+    let out = Bench::new().out("run front-right-activity-3");
+    for told in [
+        "front-right-activity-3, seed 0: ",
+        "\nNo collision in ",
+        "\n  smallest gap ",
+        "\n  smallest TTC ",
+        "\n  hardest braking ",
+        "\n front_120*   30 FPR",
+        "\n rear ",
+        "* analysed: at most ",
+        "\n  zhuyi run front-right-activity-3 --trace front-right-activity-3.csv ",
+        "\n  zhuyi mrf front-right-activity-3 ",
+    ] {
+        assert!(out.contains(told), "{told} is not in\n{out}");
+    }
+    assert!(!out.contains("COLLISION") && !out.contains("up to the contact"), "{out}");
+}
+
+#[test]
+fn hand_the_summary_of_a_collision() {
+    // An ego that hardly brakes runs into the standing obstacle, front first.
+    let line = "cut-out-fast --set vehicle.friction=0.1 --fpr 2 --seed 3";
+    let bench = Bench::new();
+    let out = bench.out(&format!("run {line}"));
+    for told in [
+        "\nCOLLISION at ",
+        ": the ego's front touched `obstacle`.\n",
+        "\n  impact speed ",
+        "\n  ego                delta-v ",
+        "\n  obstacle           delta-v ",
+        ", estimated up to the contact.\n",
+        "\n  zhuyi run cut-out-fast --fpr 30 --seed 3 --set vehicle.friction=0.1 ",
+    ] {
+        assert!(out.contains(told), "{told} is not in\n{out}");
+    }
+    let document = json(&bench, line);
+    let collision = &document["collision"];
+    assert_eq!((collision["actor"].as_str(), collision["side"].as_str()), (Some("obstacle"), Some("front")));
+    assert_eq!(document["end_s"], collision["time_s"]);
+    assert_eq!(document["estimate"]["until_contact"], Value::Bool(true));
+    let crash = &collision["crash"];
+    assert!(crash["impact_speed_mps"].as_f64().unwrap() > 5.0, "{crash}");
+    // The lighter obstacle is pushed on along the road, and by more than the ego is slowed.
+    assert!(crash["other"]["delta_v_mps"].as_f64() > crash["ego"]["delta_v_mps"].as_f64(), "{crash}");
+    assert!(crash["other"]["s_m"].as_f64() > crash["ego"]["s_m"].as_f64(), "{crash}");
+}
+
+#[test]
+fn regress_the_names_of_the_document() {
+    let document = json(&Bench::new(), "cut-in");
+    let names = |value: &Value| value.as_object().unwrap().keys().cloned().collect::<Vec<_>>().join(" ");
+    // serde_json sorts the names of a document that is read.
+    assert_eq!(
+        names(&document),
+        "cameras collision command end_s estimate evading_from_s frames_processed hard_braking_from_s hardest_braking_mps2 \
+         root_seed scenario seed share_of_30_fpr smallest_gap_m smallest_ttc_s title version"
+    );
+    assert_eq!(
+        names(&document["estimate"]),
+        "alongside beyond_grid largest_fpr largest_sum_fpr unavoidable until_contact"
+    );
+    assert_eq!(
+        names(&document["cameras"][0]),
+        "analysed demand_actor demand_fpr demand_time_s frames_exposed frames_processed name rate_fpr share_of_30_fpr"
+    );
+    assert_eq!(document["collision"], Value::Null);
+    assert_eq!(document["command"], "zhuyi run cut-in");
+}
+
+#[test]
+fn law_the_same_command_gives_the_same_bytes_and_another_seed_does_not() {
+    let bench = Bench::new();
+    let line = "run cut-out --fpr 4 --seed 7";
+    let first = (bench.out(&format!("{line} --trace a.csv --json")), bench.read("a.csv"));
+    let second = (bench.out(&format!("{line} --trace b.csv --json")), bench.read("b.csv"));
+    assert!(first == second, "two runs of {line} differ");
+    bench.out("run cut-out --fpr 4 --seed 8 --trace c.csv");
+    bench.out("run cut-out --fpr 4 --seed 7 --root-seed 1 --trace d.csv");
+    assert!(first.1 != bench.read("c.csv") && first.1 != bench.read("d.csv"));
+}
+
+#[test]
+fn law_the_command_in_the_document_makes_the_same_document() {
+    let bench = Bench::new();
+    std::fs::create_dir(bench.path("sub")).unwrap();
+    bench.write("sub/mine.ron", embedded::scenario("cut-in").unwrap());
+    let first = json(&bench, "sub/mine.ron --fpr front=6.5,left=2 --seed 4 --root-seed 2 --set planner.min_gap_m=2.5");
+    let command = first["command"].as_str().unwrap();
+    let again = json(&bench, command.strip_prefix("zhuyi run ").unwrap());
+    assert_eq!(first, again);
+}
+
+#[test]
+fn hand_a_setting_changes_the_outcome() {
+    let bench = Bench::new();
+    assert_eq!(json(&bench, "vehicle-following")["collision"], Value::Null);
+    // The lead is there at once, ten metres ahead, and stands.
+    let near = "--set actors.lead.start=Ahead(gap_m:10) --set actors.lead.speed_mps=0";
+    let mut command = bench.command("run vehicle-following --json");
+    command.args(["--set", "actors.lead.start=Ahead(gap_m: 10)", "--set", "actors.lead.speed_mps=0"]);
+    let document: Value = serde_json::from_str(&crate::run(&mut command).out).unwrap();
+    assert_eq!(document["collision"]["actor"], "lead");
+    assert_eq!(document["command"], "zhuyi run vehicle-following --set 'actors.lead.start=Ahead(gap_m: 10)' --set actors.lead.speed_mps=0");
+    assert_eq!(json(&bench, &format!("vehicle-following {near}"))["collision"], document["collision"]);
+}
+
+#[test]
+fn hand_rates_by_name() {
+    let bench = Bench::new();
+    let by_name = |rates: [f64; 5]| -> Vec<(String, f64)> {
+        ["front_120", "front_60", "left", "right", "rear"].map(String::from).into_iter().zip(rates).collect()
+    };
+    assert_eq!(rates(&bench, "12.5"), by_name([12.5; 5]));
+    assert_eq!(rates(&bench, "front=10,left=5"), by_name([10.0, 10.0, 5.0, 30.0, 30.0]));
+    // The longer name decides, in any order.
+    assert_eq!(rates(&bench, "front_60=3,front=10"), by_name([10.0, 3.0, 30.0, 30.0, 30.0]));
+    assert_eq!(rates(&bench, "front=10,front_60=3"), by_name([10.0, 3.0, 30.0, 30.0, 30.0]));
+    // What is not named keeps the system's rate.
+    let document = json(&bench, "cut-in --fpr left=5 --set perception.cameras.rear.rate_hz=8");
+    assert_eq!(document["cameras"][4]["rate_fpr"], 8.0);
+}
+
+#[test]
+fn law_frames_are_counted_against_thirty_per_second() {
+    let document = json(&Bench::new(), "vehicle-following --set duration_s=10 --fpr front=30,left=3,right=10");
+    for camera in document["cameras"].as_array().unwrap() {
+        let (rate, share) = (camera["rate_fpr"].as_f64().unwrap(), camera["share_of_30_fpr"].as_f64().unwrap());
+        // 10 s: of the frames taken, at most two are still on their way.
+        assert!((share - rate / 30.0).abs() <= 2.0 / 300.0, "{camera}");
+    }
+}
+
+#[test]
+fn law_a_trace_has_one_row_per_time_and_vehicle() {
+    let bench = Bench::new();
+    bench.out("run cut-in --trace t.csv --set duration_s=3");
+    let trace = bench.read("t.csv");
+    let mut lines = trace.lines();
+    let header = lines.next().unwrap();
+    assert_eq!(header, "time_s,id,x_m,y_m,heading_rad,speed_mps,accel_mps2,length_m,width_m,s_m,d_m,lane");
+    let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows.len(), 300 * 2);
+    assert!(rows.iter().all(|row| row.len() == 12));
+    assert_eq!((rows[0][0], rows[0][1], rows[1][1]), ("0.000000", "ego", "cutter"));
+    assert_eq!((rows[598][0], rows[599][1]), ("2.990000", "cutter"));
+    // 70 mph in lane 2.
+    assert_eq!((rows[0][5], rows[0][11]), ("31.292800", "2"));
+}
+
+#[test]
+fn hand_an_evasion_is_told() {
+    // Without the cars beside it the ego leaves its lane for the obstacle; the text says when, if it does.
+    let bench = Bench::new();
+    let document = json(&bench, "cut-out-fast");
+    let text = bench.out("run cut-out-fast");
+    assert_eq!(document["evading_from_s"].is_null(), !text.contains("\n  evasion "), "{text}");
+    assert_eq!(document["hard_braking_from_s"].is_null(), !text.contains("braking hard from"), "{text}");
+}

@@ -1,0 +1,16 @@
+//! The lab from outside.
+//!
+//! - `determinism`: the same bytes at any number of threads, in any order of cells, and from a run done again;
+//! - `table`: what a table makes of records that were written by hand (readings R20 and R21);
+//! - `claims`: verdicts on tables that were written by hand;
+//! - `files`: shape of every file of a small plan;
+//! - `reruns`: which rates are run again;
+//! - `moves`: the file of `zhuyi robustness` on a small plan.
+
+mod claims;
+mod determinism;
+mod files;
+mod moves;
+mod reruns;
+mod small;
+mod table;
