@@ -1,4 +1,17 @@
 //! Many runs: sweeps, the minimum required rate, the table, claims, provenance.
+//!
+//! ```text
+//!  Plan ──cells──▶ [sweep] ──Records──▶ [table] ──▶ table1.md, table1.csv
+//!                     │                    └──────▶ [claims] ──▶ claims.md
+//!                     └──▶ [reruns] at the rates asked for ──▶ [runs] ──▶ runs.csv        [manifest] ──▶ manifest.json
+//!  Plan ──▶ [robustness]: one thing changed at a time, fresh seeds ──▶ robustness.md
+//! ```
+//!
+//! [`reproduce()`] and [`robustness()`] are pure: a plan in, the texts of all files out. [`prepare`] proves before the long run
+//! that the files can be written; [`Results::write`] writes each complete or not at all, and [`Results::check`] compares.
+//!
+//! What it guarantees, each shown by a test: the same plan gives the same bytes at any number of threads; the order of the
+//! cells changes nothing; a run alone is the run of its sweep; no number of the paper's table is known outside [`paper`].
 
 pub mod claims;
 pub mod error;

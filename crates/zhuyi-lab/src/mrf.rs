@@ -66,28 +66,24 @@ mod tests {
 
     #[test]
     fn hand_every_case_of_reading_r20() {
-        let cases: [(&[(u32, u32)], Mrf, &[u32]); 6] = [
-            (&[(1, 0), (2, 0), (3, 0)], Mrf::Rate(1), &[]),
-            (&[(1, 10), (2, 1), (3, 0)], Mrf::Rate(3), &[]),
+        let cases = [
+            (vec![(1, 0), (2, 0), (3, 0)], Mrf::Rate(1), vec![]),
+            (vec![(1, 10), (2, 1), (3, 0)], Mrf::Rate(3), vec![]),
             // Not monotone: 1 and 3 do not collide, yet 4 does.
             (
-                &[(1, 0), (2, 5), (3, 0), (4, 1), (5, 0)],
+                vec![(1, 0), (2, 5), (3, 0), (4, 1), (5, 0)],
                 Mrf::Rate(5),
-                &[1, 3],
+                vec![1, 3],
             ),
-            (&[(1, 10), (30, 1)], Mrf::Above(30), &[]),
+            (vec![(1, 10), (30, 1)], Mrf::Above(30), vec![]),
             // The highest collides: what is free of collisions below it is told all the same.
-            (&[(1, 0), (2, 0), (30, 1)], Mrf::Above(30), &[1, 2]),
+            (vec![(1, 0), (2, 0), (30, 1)], Mrf::Above(30), vec![1, 2]),
             // Rates that were not tested are not spoken of.
-            (&[(1, 1), (5, 0), (30, 0)], Mrf::Rate(5), &[]),
+            (vec![(1, 1), (5, 0), (30, 0)], Mrf::Rate(5), vec![]),
         ];
         for (collisions, mrf, safe_below) in cases {
-            let found = required(collisions);
-            assert_eq!(
-                (found.mrf, found.safe_below.as_slice()),
-                (mrf, safe_below),
-                "{collisions:?}"
-            );
+            let expected = Required { mrf, safe_below };
+            assert_eq!(required(&collisions), expected, "{collisions:?}");
         }
     }
 

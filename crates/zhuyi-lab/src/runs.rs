@@ -36,14 +36,14 @@ impl Typed {
             &self.scenarios[cell.scenario],
             spelt(experiment.system, &cell.rates),
         );
-        let mut command = format!("zhuyi run {scenario} --fpr {rates} --seed {}", cell.seed);
-        if experiment.root_seed != 0 {
-            command += &format!(" --root-seed {}", experiment.root_seed);
-        }
-        if !self.options.is_empty() {
-            command += &format!(" {}", self.options);
-        }
-        command
+        let root = match experiment.root_seed {
+            0 => String::new(),
+            root => format!("--root-seed {root}"),
+        };
+        let run = format!("zhuyi run {scenario} --fpr {rates} --seed {}", cell.seed);
+        let parts = [run, root, self.options.clone()];
+        let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+        parts.join(" ")
     }
 }
 

@@ -7,19 +7,14 @@ pub(crate) fn markdown_table(header: &[String], rows: &[Vec<String>]) -> String 
         cells.fold(header[column].chars().count().max(3), usize::max)
     };
     let widths: Vec<usize> = (0..header.len()).map(width).collect();
+    let joined = |cells: Vec<String>| format!("|{}|\n", cells.join("|"));
     let line = |cells: &[String]| {
-        let padded = cells
-            .iter()
-            .zip(&widths)
-            .map(|(cell, width)| format!(" {cell:<width$} |"));
-        format!("|{}\n", padded.collect::<String>())
+        let padded = |(cell, width): (&String, &usize)| format!(" {cell:<width$} ");
+        joined(cells.iter().zip(&widths).map(padded).collect())
     };
-    let rule: String = widths
-        .iter()
-        .map(|width| format!("{:-<1$}|", "", width + 2))
-        .collect();
+    let rule = joined(widths.iter().map(|width| "-".repeat(width + 2)).collect());
     let body: String = rows.iter().map(|row| line(row)).collect();
-    format!("{}|{rule}\n{body}", line(header))
+    format!("{}{rule}{body}", line(header))
 }
 
 /// Words as cells.

@@ -97,8 +97,8 @@ impl Arguments {
         let rates = Rates::read(self.fpr.as_deref(), &mut problems);
         let rates = rates.zip(read.system.as_ref());
         let rates = rates.and_then(|(rates, system)| rates.of(system, &mut problems));
-        let seed = seed("--seed", &self.seed, &mut problems);
         let root_seed = seed("--root-seed", &self.root_seed, &mut problems);
+        let seed = seed("--seed", &self.seed, &mut problems);
         let trace = match &self.trace {
             Some(path) => Output::reserve(path, &mut problems).map(Some),
             None => Some(None),

@@ -179,8 +179,8 @@ pub(super) fn at_the_rates_asked_for(plan: &Plan, table: &Table, reruns: &Reruns
         figures: format!("{free} of {trials} trials have no collision in {seeds} seeds"),
         details: format!(
             "{}\nAsked for [FPR]: the largest estimate over the runs at {highest} FPR; each rate is rounded up to a whole number. \
-             Each camera at its own: the largest demand on it alone; front_60 goes with front_120 (a camera that is not analysed, with \
-             the analysed one of its group), the others keep their rate. The same {seeds} seeds are run. No collision in {seeds} \
+             Each camera at its own: the largest demand on it alone; a camera that is not analysed goes with the analysed one of \
+             its name (front_60 with front_120), or keeps its rate. The same {seeds} seeds are run. No collision in {seeds} \
              seeds leaves room for a chance of one of up to {bound:.0} % per run (95 %): it does not say safe.\n",
             markdown_table(&header, &lines)
         ),

@@ -113,6 +113,7 @@ fn scaled(scenario: &Scenario, factor: f64) -> Scenario {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use zhuyi_scenario::Source;
 
     #[test]
     fn hand_every_variation_but_the_first_changes_one_side() {
@@ -135,43 +136,24 @@ mod tests {
 
     #[test]
     fn hand_distances_scale_and_times_stay() {
-        let plan = Plan::embedded().unwrap();
-        let cut_out = plan
-            .scenarios
-            .iter()
-            .find(|scenario| scenario.name == "cut-out")
-            .unwrap();
-        let scaled = scaled(cut_out, 1.1);
-        let ahead = |scenario: &Scenario| {
-            let gaps = scenario
-                .actors
-                .iter()
-                .filter_map(|actor| match actor.start.along {
-                    Place::Ahead(gap) => Some(gap),
-                    _ => None,
-                });
-            gaps.collect::<Vec<f64>>()
+        let text = |gap: f64, near: f64, far: f64, time: f64| {
+            format!(
+                r#"(title: "t", road: (lanes: 2, lane_width_m: 3.5, segments: [Line(length_m: 900)]), duration_s: 30,
+                ego: (lane: 1, s_m: 100, speed_mps: 20), actors: [
+                    (name: "other", lane: 2, start: Beside(offset_m: 3), speed_mps: 20),
+                    (name: "lead", lane: 1, start: Ahead(gap_m: {gap}), speed_mps: 10, manoeuvres: [
+                        (when: Time(at_s: 2), then: Brake(decel_mps2: 2)),
+                        (when: GapToEgo(gap_m: {near}), then: Brake(decel_mps2: 3)),
+                        (when: DistanceTo(actor: "other", distance_m: {far}), then: Brake(decel_mps2: 4)),
+                        (when: TimeToCollision(time_s: {time}), then: Brake(decel_mps2: 5)),
+                    ]),
+                ])"#
+            )
         };
-        let waits = |scenario: &Scenario| {
-            let triggers = scenario
-                .actors
-                .iter()
-                .flat_map(|actor| &actor.manoeuvres)
-                .map(|manoeuvre| manoeuvre.when);
-            triggers
-                .filter_map(|when| match when {
-                    Trigger::DistanceTo { distance, .. } => Some(distance),
-                    _ => None,
-                })
-                .collect::<Vec<f64>>()
-        };
-        let times = |values: Vec<f64>| values.iter().map(|value| value * 1.1).collect::<Vec<_>>();
-        assert!(!ahead(cut_out).is_empty() && !waits(cut_out).is_empty());
-        assert_eq!(ahead(&scaled), times(ahead(cut_out)));
-        assert_eq!(waits(&scaled), times(waits(cut_out)));
-        assert_eq!(
-            (scaled.ego, scaled.duration),
-            (cut_out.ego, cut_out.duration)
-        );
+        let system = Plan::embedded().unwrap().system;
+        let read =
+            |text: String| Scenario::read(&Source::new("x.ron", text), &system, &[]).unwrap();
+        let expected = read(text(60.0, 15.0, 30.0, 3.0));
+        assert_eq!(scaled(&read(text(40.0, 10.0, 20.0, 2.0)), 1.5), expected);
     }
 }

@@ -23,12 +23,12 @@ fn reruns(scenarios: Vec<Option<Rerun>>) -> Reruns {
     }
 }
 
-fn fine() -> Option<Rerun> {
-    Some(Rerun {
+fn fine() -> Rerun {
+    Rerun {
         asked: 6.3,
         largest: trial(0),
         own: trial(0),
-    })
+    }
 }
 
 fn examined(plan: &Plan, came: &[Came], reruns: &Reruns) -> Vec<Claim> {
@@ -44,7 +44,7 @@ fn verdicts(claims: &[Claim]) -> Vec<(&'static str, Verdict)> {
 
 /// Cut-out fast has an MRF of 6 in the paper.
 fn cut_out_fast() -> Plan {
-    plan(&["cut-out-fast"], &[5, 6, 30], 1, 1)
+    plan(&["cut-out-fast"], &[5, 6, 30], 1)
 }
 
 #[test]
@@ -52,7 +52,7 @@ fn hand_all_hold_on_a_table_like_the_papers() {
     let claims = examined(
         &cut_out_fast(),
         &[Collided, Asked(9.5), Asked(7.0)],
-        &reruns(vec![fine()]),
+        &reruns(vec![Some(fine())]),
     );
     let holds = ["1", "2a", "2b", "3"].map(|number| (number, Verdict::Holds));
     assert_eq!(verdicts(&claims)[..4], holds);
@@ -77,7 +77,7 @@ fn hand_each_fails_alone() {
             .filter(|claim| claim.verdict == Verdict::Fails);
         failing.map(|claim| claim.number).collect::<Vec<_>>()
     };
-    let good = reruns(vec![fine()]);
+    let good = reruns(vec![Some(fine())]);
     // The MRF is 5.
     assert_eq!(of(&[Asked(9.0), Asked(9.5), Asked(7.0)], &good), ["1"]);
     // The estimate at 30 FPR is below the MRF of 6, by less than any rounding would show.
@@ -85,11 +85,11 @@ fn hand_each_fails_alone() {
     // A collision at the rates asked for, of either kind; and a run at 30 FPR that asked for nothing because it collided.
     let largest = Some(Rerun {
         largest: trial(1),
-        ..fine().unwrap()
+        ..fine()
     });
     let own = Some(Rerun {
         own: trial(1),
-        ..fine().unwrap()
+        ..fine()
     });
     for again in [largest, own, None] {
         assert_eq!(
@@ -122,11 +122,11 @@ fn hand_nothing_is_safe_where_the_highest_rate_collides() {
 
 #[test]
 fn hand_only_cells_above_an_mrf_of_1_are_counted_as_able_to_fail() {
-    let plan = plan(&["cut-out-fast", "cut-in"], &[1, 6], 1, 1);
+    let plan = plan(&["cut-out-fast", "cut-in"], &[1, 6], 1);
     let claims = examined(
         &plan,
         &[Collided, Asked(9.5), Asked(1.0), Asked(1.0)],
-        &reruns(vec![fine(), fine()]),
+        &reruns(vec![Some(fine()), Some(fine())]),
     );
     let safe = &claims[1];
     assert_eq!(
@@ -150,7 +150,7 @@ fn hand_only_cells_above_an_mrf_of_1_are_counted_as_able_to_fail() {
 #[test]
 fn hand_differences_baselines_and_one_sided_cells() {
     // The paper's cut-in: N/A at 1 FPR, 3.9 at 2, 5 at 3; its cut-out-fast: N/A at 1 to 3.
-    let plan = plan(&["cut-out-fast", "cut-in"], &[1, 2, 3], 1, 1);
+    let plan = plan(&["cut-out-fast", "cut-in"], &[1, 2, 3], 1);
     let came = [
         Collided,
         Asked(6.0),
@@ -159,7 +159,7 @@ fn hand_differences_baselines_and_one_sided_cells() {
         Asked(4.9),
         Asked(7.0),
     ];
-    let claim = &examined(&plan, &came, &reruns(vec![fine(), fine()]))[4];
+    let claim = &examined(&plan, &came, &reruns(vec![Some(fine()), Some(fine())]))[4];
     // |4.9 - 3.9| and |7 - 5|; from 5: 1.1 and 0; from the median 4.45: 0.55 twice.
     assert_eq!(
         claim.figures,
@@ -189,7 +189,7 @@ fn hand_a_scenario_that_the_paper_does_not_have_is_left_out_of_the_comparison() 
     let claims = examined(
         &plan,
         &[Collided, Asked(9.5), Asked(7.0)],
-        &reruns(vec![fine()]),
+        &reruns(vec![Some(fine())]),
     );
     assert_eq!(claims[0].figures, "0 of 0 as published");
     assert!(

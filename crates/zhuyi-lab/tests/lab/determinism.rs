@@ -5,7 +5,7 @@ use zhuyi_lab::rates::uniform;
 use zhuyi_lab::sweep::{Cell, grid};
 use zhuyi_lab::{Progress, Results, reproduce};
 
-use crate::small::plan;
+use crate::small::{cut_short, plan};
 
 /// Counts what it is told.
 #[derive(Default)]
@@ -26,10 +26,12 @@ impl Progress for Counted {
 
 #[test]
 fn law_the_same_bytes_at_one_and_two_threads() {
-    let plan = plan(
-        &["challenging-cut-in", "front-right-activity-2"],
-        &[2, 30],
-        2,
+    let plan = cut_short(
+        plan(
+            &["challenging-cut-in", "front-right-activity-2"],
+            &[2, 30],
+            2,
+        ),
         8,
     );
     let counted = Counted::default();
@@ -47,7 +49,7 @@ fn law_the_same_bytes_at_one_and_two_threads() {
 
 #[test]
 fn law_the_order_of_the_cells_does_not_matter() {
-    let plan = plan(&["cut-out", "challenging-cut-in-curved"], &[], 0, 6);
+    let plan = cut_short(plan(&["cut-out", "challenging-cut-in-curved"], &[], 0), 6);
     let rates = [3, 30].map(|fps| uniform(&plan.system, fps));
     let cells = grid(2, &rates, 0..2);
     // 8 cells in steps of 3: every one once, none at its place but the first.

@@ -1,10 +1,10 @@
 use zhuyi_lab::robustness;
 
-use crate::small::plan;
+use crate::small::{cut_short, plan};
 
 #[test]
 fn law_every_variation_and_block_has_a_line() {
-    let plan = plan(&["front-right-activity-1"], &[30], 1, 2);
+    let plan = cut_short(plan(&["front-right-activity-1"], &[30], 1), 2);
     let results = robustness(&plan, &());
     let [("robustness.md", page)] = results.files.as_slice() else {
         panic!("{:?}", results.files)

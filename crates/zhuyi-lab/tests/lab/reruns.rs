@@ -1,12 +1,12 @@
 use zhuyi_lab::reruns::Reruns;
 
 use crate::small::Came::{Asked, Collided};
-use crate::small::{plan, records};
+use crate::small::{cut_short, plan, records};
 
 #[test]
 fn hand_the_largest_of_all_runs_at_the_highest_rate_is_rounded_up() {
     // Two seeds at 10 FPR, which do not count, and two at 30.
-    let plan = plan(&["front-right-activity-1"], &[10, 30], 2, 1);
+    let plan = cut_short(plan(&["front-right-activity-1"], &[10, 30], 2), 1);
     let came = [Asked(20.0), Collided, Asked(6.2), Asked(5.5)];
     let reruns = Reruns::new(&plan, &records(&plan, &came), &());
     let rerun = reruns.scenarios[0].as_ref().unwrap();
@@ -29,7 +29,7 @@ fn hand_the_largest_of_all_runs_at_the_highest_rate_is_rounded_up() {
 
 #[test]
 fn hand_where_a_run_at_the_highest_rate_collides_nothing_is_run_again() {
-    let plan = plan(&["cut-out", "front-right-activity-1"], &[30], 2, 1);
+    let plan = cut_short(plan(&["cut-out", "front-right-activity-1"], &[30], 2), 1);
     let came = [Asked(6.0), Collided, Asked(1.0), Asked(1.0)];
     let reruns = Reruns::new(&plan, &records(&plan, &came), &());
     assert_eq!(reruns.scenarios[0], None);
@@ -51,7 +51,7 @@ fn hand_where_a_run_at_the_highest_rate_collides_nothing_is_run_again() {
 #[test]
 fn hand_a_rerun_that_collides_is_counted() {
     // Whoever asks for 1 FPR before a standing obstacle hits it.
-    let plan = plan(&["cut-out-fast"], &[30], 2, 20);
+    let plan = plan(&["cut-out-fast"], &[30], 2);
     let reruns = Reruns::new(&plan, &records(&plan, &[Asked(1.0), Asked(1.0)]), &());
     let rerun = reruns.scenarios[0].as_ref().unwrap();
     assert_eq!((rerun.largest.collisions, rerun.own.collisions), (2, 2));

@@ -6,8 +6,8 @@ use zhuyi_lab::sweep::{Collision, Record};
 use zhuyi_sim::{Extremes, Frames, Peak, Peaks};
 use zhuyi_world::Side;
 
-/// The embedded plan cut down to these scenarios, rates and seeds, every run to `seconds`.
-pub fn plan(names: &[&str], rates: &[u32], seeds: u64, seconds: i64) -> Plan {
+/// The embedded plan cut down to these scenarios, rates and seeds.
+pub fn plan(names: &[&str], rates: &[u32], seeds: u64) -> Plan {
     let mut plan = Plan::embedded().unwrap();
     let keep: Vec<bool> = plan
         .scenarios
@@ -24,10 +24,15 @@ pub fn plan(names: &[&str], rates: &[u32], seeds: u64, seconds: i64) -> Plan {
         names,
         "in the order of the paper's table"
     );
+    (plan.rates, plan.seeds) = (rates.to_vec(), seeds);
+    plan
+}
+
+/// A plan whose every run ends after `seconds`.
+pub fn cut_short(mut plan: Plan, seconds: i64) -> Plan {
     for scenario in &mut plan.scenarios {
         scenario.duration = SimTime::from_millis(1000 * seconds);
     }
-    (plan.rates, plan.seeds) = (rates.to_vec(), seeds);
     plan
 }
 

@@ -8,7 +8,7 @@ use crate::small::{plan, records};
 #[test]
 fn hand_a_cell_is_the_mean_over_its_runs_and_none_where_one_collided() {
     // Three seeds at each rate; at 3 FPR one of them collides.
-    let plan = plan(&["cut-out"], &[2, 3, 4, 30], 3, 1);
+    let plan = plan(&["cut-out"], &[2, 3, 4, 30], 3);
     #[rustfmt::skip]
     let came = [
         Asked(9.0), Asked(9.0), Asked(30.0), // free of collisions, but below the MRF
@@ -39,14 +39,14 @@ fn hand_a_cell_is_the_mean_over_its_runs_and_none_where_one_collided() {
 
 #[test]
 fn hand_runs_below_the_mrf_do_not_enter_the_sum() {
-    let plan = plan(&["cut-out"], &[2, 3, 4], 1, 1);
+    let plan = plan(&["cut-out"], &[2, 3, 4], 1);
     let table = Table::new(&plan, &records(&plan, &[Asked(30.0), Collided, Asked(5.0)]));
     assert_eq!(table.rows[0].largest_sum, Some(7.0));
 }
 
 #[test]
 fn hand_a_scenario_without_a_safe_rate_has_no_sum_and_no_fraction() {
-    let plan = plan(&["cut-out"], &[29, 30], 2, 1);
+    let plan = plan(&["cut-out"], &[29, 30], 2);
     let table = Table::new(
         &plan,
         &records(&plan, &[Asked(5.0), Asked(5.0), Collided, Asked(5.0)]),
@@ -62,7 +62,7 @@ fn hand_a_scenario_without_a_safe_rate_has_no_sum_and_no_fraction() {
 
 #[test]
 fn hand_the_long_form_has_ours_beside_the_papers() {
-    let plan = plan(&["cut-out"], &[1, 2, 11, 30], 2, 1);
+    let plan = plan(&["cut-out"], &[1, 2, 11, 30], 2);
     let came = [
         Collided,
         Asked(4.0),
@@ -99,7 +99,7 @@ cut-out,fraction,exact,0.1000,0.12
 
 #[test]
 fn hand_the_page_shows_both_rows_and_the_odd_ones() {
-    let plan = plan(&["cut-out-fast"], &[5, 6, 7], 1, 1);
+    let plan = plan(&["cut-out-fast"], &[5, 6, 7], 1);
     let table = Table::new(&plan, &records(&plan, &[Asked(9.0), Collided, Asked(30.0)]));
     let page = files::markdown(&plan, &table);
     let words = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
