@@ -66,12 +66,12 @@ impl Error {
     }
 
     fn causes(&self) -> String {
-        let mut causes = String::new();
+        let mut causes = Vec::new();
         let mut cause = self.source();
         while let Some(error) = cause {
-            causes += &format!(": {error}");
+            causes.push(format!(": {error}"));
             cause = error.source();
         }
-        causes
+        causes.concat()
     }
 }

@@ -110,24 +110,38 @@ pub fn default_system() -> Source {
 
 /// A scenario by name or path.
 pub fn scenario_source(typed: &str, problems: &mut Problems) -> Option<Source> {
+    let known: Vec<&str> = embedded::names().collect();
+    source(typed, &known, problems)
+}
+
+/// A scenario or system by name or path.
+pub fn any_source(typed: &str, problems: &mut Problems) -> Option<Source> {
+    if typed == DEFAULT_SYSTEM {
+        return Some(default_system());
+    }
+    let known: Vec<&str> = embedded::names().chain([DEFAULT_SYSTEM]).collect();
+    source(typed, &known, problems)
+}
+
+fn source(typed: &str, known: &[&str], problems: &mut Problems) -> Option<Source> {
     if let Some(text) = embedded::scenario(typed) {
         return Some(Source::new(format!("{typed}.ron"), text));
     }
     if is_path(typed) {
         return read(typed, problems);
     }
+    let hint = match did_you_mean(typed, known.iter().copied()) {
+        Some(name) => format!("did you mean `{name}`?"),
+        None => format!("known: {}; or the path of a .ron file", known.join(", ")),
+    };
+    let fault = Fault::Unknown {
+        what: "scenario",
+        got: typed.to_string(),
+        hint,
+    };
     let argument = Argument::new("SCENARIO", typed);
-    argument.refuse(&argument.all(), unknown(typed), problems);
+    argument.refuse(&argument.all(), fault, problems);
     None
-}
-
-/// A scenario or system by name or path.
-pub fn any_source(typed: &str, problems: &mut Problems) -> Option<Source> {
-    if typed == DEFAULT_SYSTEM {
-        Some(default_system())
-    } else {
-        scenario_source(typed, problems)
-    }
 }
 
 /// Whether a word is meant as a path: it has a folder or an ending, or there is such a file.
@@ -147,20 +161,5 @@ fn read(path: &str, problems: &mut Problems) -> Option<Source> {
             });
             None
         }
-    }
-}
-
-fn unknown(got: &str) -> Fault {
-    let hint = match did_you_mean(got, embedded::names()) {
-        Some(name) => format!("did you mean `{name}`?"),
-        None => {
-            let known: Vec<&str> = embedded::names().collect();
-            format!("known: {}; or the path of a .ron file", known.join(", "))
-        }
-    };
-    Fault::Unknown {
-        what: "scenario",
-        got: got.to_string(),
-        hint,
     }
 }

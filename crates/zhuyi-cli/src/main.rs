@@ -29,14 +29,14 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use answer::Answer;
-use commands::Arguments;
+use commands::{Arguments, Task};
 
 fn main() -> ExitCode {
     let typed = Arguments::parse();
     let done = typed
         .command
         .meant()
-        .and_then(|task| task.run())
+        .and_then(Task::run)
         .and_then(Answer::print);
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -70,6 +70,8 @@ impl Way {
         }
         let place = if exists {
             path.canonicalize()?
+        } else if path.as_os_str().as_encoded_bytes().ends_with(b"/") {
+            return Err(io::ErrorKind::IsADirectory.into());
         } else {
             path.to_path_buf()
         };

@@ -37,15 +37,43 @@ mod tests {
 
     #[test]
     fn law_every_part_of_the_name_makes_another_stream() {
-        let base = Draws { root: 1, scenario: "cut-in", seed: 2 };
+        let base = Draws {
+            root: 1,
+            scenario: "cut-in",
+            seed: 2,
+        };
         let first = |draws: Draws<'_>, purpose: &str| draws.stream(purpose).random::<u64>();
         let reference = first(base, "phase");
         assert_eq!(reference, first(base, "phase"));
         assert_ne!(reference, first(Draws { root: 2, ..base }, "phase"));
         assert_ne!(reference, first(Draws { seed: 3, ..base }, "phase"));
-        assert_ne!(reference, first(Draws { scenario: "cut-out", ..base }, "phase"));
+        assert_ne!(
+            reference,
+            first(
+                Draws {
+                    scenario: "cut-out",
+                    ..base
+                },
+                "phase"
+            )
+        );
         assert_ne!(reference, first(base, "start"));
         // The length of the scenario's name is part of the key: no two names run together.
-        assert_ne!(first(Draws { scenario: "a", ..base }, "bc"), first(Draws { scenario: "ab", ..base }, "c"));
+        assert_ne!(
+            first(
+                Draws {
+                    scenario: "a",
+                    ..base
+                },
+                "bc"
+            ),
+            first(
+                Draws {
+                    scenario: "ab",
+                    ..base
+                },
+                "c"
+            )
+        );
     }
 }

@@ -2,8 +2,8 @@
 //!
 //! This is the paper's pre-deployment use: ground truth, one trajectory per actor, the one that was driven.
 
-use zhuyi_core::{ActorId, CameraId, SimTime, Trajectory};
-use zhuyi_estimator::{Demand, Ego, Estimate, Estimator, Future, Watch};
+use zhuyi_core::{ActorId, CameraId, SimTime};
+use zhuyi_estimator::{Demand, Ego, Estimate, Estimator, Recording, Watch};
 use zhuyi_scenario::System;
 
 use crate::recorded::futures;
@@ -13,19 +13,32 @@ use crate::trace::{Row, Trace};
 #[derive(Clone, Debug)]
 pub struct Hindsight<'a> {
     trace: &'a Trace,
-    futures: Vec<Trajectory>,
+    futures: Vec<Recording>,
     rig: Vec<Watch<'a>>,
 }
 
 impl<'a> Hindsight<'a> {
     /// From a finished run of `system`, with l_0 as the system sets it.
     pub fn new(trace: &'a Trace, system: &'a System) -> Self {
-        let watch = |eye: &'a zhuyi_perception::Eye| Watch { camera: &eye.camera, current_latency: system.assumed_latency };
-        Self { trace, futures: futures(trace), rig: system.perception.eyes.iter().map(watch).collect() }
+        let watch = |eye: &'a zhuyi_perception::Eye| Watch {
+            camera: &eye.camera,
+            current_latency: system.assumed_latency,
+        };
+        Self {
+            trace,
+            futures: futures(trace).into_iter().map(Recording::new).collect(),
+            rig: system.perception.eyes.iter().map(watch).collect(),
+        }
     }
 
     /// The estimate for one actor at one row.
-    pub fn estimate(&self, estimator: &Estimator, row: &Row<'_>, actor: ActorId, current_latency: f64) -> Estimate {
+    pub fn estimate(
+        &self,
+        estimator: &Estimator,
+        row: &Row<'_>,
+        actor: ActorId,
+        current_latency: f64,
+    ) -> Estimate {
         let ego = Ego {
             s: row.ego.road.s,
             d: row.ego.road.d,
@@ -33,13 +46,23 @@ impl<'a> Hindsight<'a> {
             accel: row.ego.accel,
             footprint: row.ego.footprint,
         };
-        let future = Future::new(&self.futures[actor.index()], row.time.seconds());
-        estimator.trajectory(&ego, row.actors[actor.index()].footprint, &future, current_latency)
+        let (body, future) = (&row.actors[actor.index()], &self.futures[actor.index()]);
+        estimator.recorded(
+            &ego,
+            body.footprint,
+            future,
+            row.time.seconds(),
+            current_latency,
+        )
     }
 
     /// The demand on every camera at one row, in the order of the rig.
     pub fn demands(&self, estimator: &Estimator, row: &Row<'_>) -> Vec<Demand> {
-        let actors = row.actors.iter().enumerate().map(|(i, body)| (ActorId(i as u32), body));
+        let actors = row
+            .actors
+            .iter()
+            .enumerate()
+            .map(|(i, body)| (ActorId(i as u32), body));
         estimator.demands(&self.rig, row.ego.pose, actors, |actor, current_latency| {
             self.estimate(estimator, row, actor, current_latency)
         })
@@ -47,8 +70,15 @@ impl<'a> Hindsight<'a> {
 
     /// The largest demands over all rows.
     pub fn peaks(&self, estimator: &Estimator) -> Peaks {
-        let quiet = Peak { fpr: 0.0, time: SimTime::ZERO, actor: None };
-        let mut peaks = Peaks { cameras: vec![quiet; self.rig.len()], ..Peaks::default() };
+        let quiet = Peak {
+            fpr: 0.0,
+            time: SimTime::ZERO,
+            actor: None,
+        };
+        let mut peaks = Peaks {
+            cameras: vec![quiet; self.rig.len()],
+            ..Peaks::default()
+        };
         for row in self.trace.rows() {
             self.add(&mut peaks, row.time, &self.demands(estimator, &row));
         }
@@ -59,7 +89,11 @@ impl<'a> Hindsight<'a> {
         let mut sum = 0.0;
         for ((demand, watch), peak) in demands.iter().zip(&self.rig).zip(&mut peaks.cameras) {
             if demand.fpr > peak.fpr {
-                *peak = Peak { fpr: demand.fpr, time, actor: demand.actor };
+                *peak = Peak {
+                    fpr: demand.fpr,
+                    time,
+                    actor: demand.actor,
+                };
             }
             if watch.camera.analysed {
                 sum += demand.fpr;

@@ -67,7 +67,11 @@ impl Run {
 
     /// How close it was.
     pub fn extremes(&self) -> Extremes {
-        let mut extremes = Extremes { gap: None, time_to_collision: None, decel: 0.0 };
+        let mut extremes = Extremes {
+            gap: None,
+            time_to_collision: None,
+            decel: 0.0,
+        };
         for row in self.trace.rows() {
             if -row.ego.accel > extremes.decel {
                 extremes.decel = -row.ego.accel;
@@ -88,7 +92,8 @@ impl Run {
 /// Whether `actor` is ahead of the ego and overlaps it side to side.
 fn ahead(ego: &Body, actor: &Body) -> bool {
     actor.rear() >= ego.front()
-        && (actor.road.d - ego.road.d).abs() < f64::midpoint(actor.footprint.width, ego.footprint.width)
+        && (actor.road.d - ego.road.d).abs()
+            < f64::midpoint(actor.footprint.width, ego.footprint.width)
 }
 
 fn lower(least: &mut Option<f64>, value: f64) {

@@ -14,16 +14,25 @@ const TOLERANCE: f64 = 1e-7;
 
 /// One trajectory per actor, in the time of the trace.
 pub fn futures(trace: &Trace) -> Vec<Trajectory> {
-    (0..trace.names().len() - 1).map(|actor| future(trace, actor)).collect()
+    (0..trace.names().len() - 1)
+        .map(|actor| future(trace, actor))
+        .collect()
 }
 
 fn future(trace: &Trace, actor: usize) -> Trajectory {
-    let rows = || trace.rows().map(|row| (row.time.seconds(), row.actors[actor]));
+    let rows = || {
+        trace
+            .rows()
+            .map(|row| (row.time.seconds(), row.actors[actor]))
+    };
     let mut along: Vec<Along> = Vec::new();
     let mut across: Vec<Across> = Vec::new();
     for ((t, body), (next_t, next)) in rows().zip(rows().skip(1)) {
         let step = next_t - t;
-        if !along.last().is_some_and(|piece| meets_along(piece, next_t, &next)) {
+        if !along
+            .last()
+            .is_some_and(|piece| meets_along(piece, next_t, &next))
+        {
             along.push(Along {
                 time: t,
                 s: body.road.s,
@@ -33,18 +42,36 @@ fn future(trace: &Trace, actor: usize) -> Trajectory {
                 v_rate: (next.s_rate - body.s_rate) / step,
             });
         }
-        if !across.last().is_some_and(|piece| meets_across(piece, next_t, &next)) {
-            across.push(Across { time: t, d: body.road.d, d_rate: (next.road.d - body.road.d) / step });
+        if !across
+            .last()
+            .is_some_and(|piece| meets_across(piece, next_t, &next))
+        {
+            across.push(Across {
+                time: t,
+                d: body.road.d,
+                d_rate: (next.road.d - body.road.d) / step,
+            });
         }
     }
-    let (end, last) = rows().last().unwrap_or_else(|| unreachable!("a trace has at least its first row"));
+    let (end, last) = rows()
+        .last()
+        .unwrap_or_else(|| unreachable!("a trace has at least its first row"));
     along.push(Along::constant_accel(end, last.road.s, last.s_rate, 0.0));
-    across.push(Across { time: end, d: last.road.d, d_rate: 0.0 });
-    Trajectory { along, across, known_until: end }
+    across.push(Across {
+        time: end,
+        d: last.road.d,
+        d_rate: 0.0,
+    });
+    Trajectory {
+        along,
+        across,
+        known_until: end,
+    }
 }
 
 fn meets_along(piece: &Along, time: f64, body: &Body) -> bool {
-    (piece.s_at(time) - body.road.s).abs() < TOLERANCE && (piece.v_at(time) - body.s_rate).abs() < TOLERANCE
+    (piece.s_at(time) - body.road.s).abs() < TOLERANCE
+        && (piece.v_at(time) - body.s_rate).abs() < TOLERANCE
 }
 
 fn meets_across(piece: &Across, time: f64, body: &Body) -> bool {

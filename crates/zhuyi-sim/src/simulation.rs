@@ -29,16 +29,30 @@ pub struct Simulation<'a> {
 
 impl<'a> Simulation<'a> {
     /// A run at its start. The same arguments give the same run, to the last bit.
-    pub fn new(scenario: &'a Scenario, system: &'a System, rates: &FrameRates, draws: Draws<'_>) -> Self {
+    pub fn new(
+        scenario: &'a Scenario,
+        system: &'a System,
+        rates: &FrameRates,
+        draws: Draws<'_>,
+    ) -> Self {
         let ego = Ego {
-            road: Frenet { s: scenario.ego.s, d: scenario.road.lane_center(scenario.ego.lane) },
+            road: Frenet {
+                s: scenario.ego.s,
+                d: scenario.road.lane_center(scenario.ego.lane),
+            },
             heading: 0.0,
             speed: scenario.ego.speed,
             accel: 0.0,
             steering: 0.0,
         };
         let starts = starts(scenario, system, &ego, draws);
-        let world = World::new(&scenario.road, &system.vehicle, &scenario.actors, ego, &starts);
+        let world = World::new(
+            &scenario.road,
+            &system.vehicle,
+            &scenario.actors,
+            ego,
+            &starts,
+        );
         let stream = |purpose: Purpose| draws.stream(&format!("{purpose:?}"));
         let mut eyes = Eyes::new(&system.perception, rates, stream, world.scene());
         let mut tracker = Tracker::new(&system.perception, scenario.actors.len());
@@ -48,7 +62,12 @@ impl<'a> Simulation<'a> {
             system,
             eyes,
             tracker,
-            planner: Planner::new(&system.planner, &scenario.road, scenario.ego.lane, scenario.ego.speed),
+            planner: Planner::new(
+                &system.planner,
+                &scenario.road,
+                scenario.ego.lane,
+                scenario.ego.speed,
+            ),
             forecasts: Vec::new(),
             trace: Trace::new(scenario.actors.iter().map(|a| a.name.as_str())),
             world,
@@ -60,12 +79,19 @@ impl<'a> Simulation<'a> {
         let (scene, road) = (self.world.scene(), &self.scenario.road);
         let tracks = self.tracker.tracks(scene.time);
         self.forecasts.clear();
-        self.forecasts.extend(tracks.iter().map(|track| self.system.predictor.forecast(track, road)));
-        let command = self.planner.plan(scene.time, &scene.ego, tracks, &self.forecasts);
+        self.forecasts.extend(
+            tracks
+                .iter()
+                .map(|track| self.system.predictor.forecast(track, road)),
+        );
+        let command = self
+            .planner
+            .plan(scene.time, &scene.ego, tracks, &self.forecasts);
         self.trace.push(scene, command);
         let contact = self.world.step(command, STEP);
         let now = self.world.scene().time;
-        self.eyes.expose(now, |instant, scene| self.world.scene_at(instant, scene));
+        self.eyes
+            .expose(now, |instant, scene| self.world.scene_at(instant, scene));
         while let Some(frame) = self.eyes.deliver(now) {
             self.tracker.update(&frame, road);
         }
@@ -91,7 +117,11 @@ impl<'a> Simulation<'a> {
             exposed: self.eyes.frames_exposed(zhuyi_core::CameraId(camera)),
             processed: self.eyes.frames_processed(zhuyi_core::CameraId(camera)),
         });
-        Run { outcome, frames: frames.collect(), trace: self.trace }
+        Run {
+            outcome,
+            frames: frames.collect(),
+            trace: self.trace,
+        }
     }
 
     /// The true state of the ego now.
@@ -104,12 +134,19 @@ impl<'a> Simulation<'a> {
 fn starts(scenario: &Scenario, system: &System, ego: &Ego, draws: Draws<'_>) -> Vec<Start> {
     let jittered = |actor: &Actor| {
         let mut stream = draws.stream(&format!("start of {}", actor.name));
-        let (along, faster) = (stream.random_range(-1.0..=1.0), stream.random_range(-1.0..=1.0));
+        let (along, faster) = (
+            stream.random_range(-1.0..=1.0),
+            stream.random_range(-1.0..=1.0),
+        );
         let start = Start::of(actor, ego, &system.vehicle);
         let moves = actor.behaviour != Behaviour::Obstacle && start.speed > 0.0;
         Start {
             s: start.s + system.jitter.position * along,
-            speed: if moves { (start.speed + system.jitter.speed * faster).max(0.0) } else { start.speed },
+            speed: if moves {
+                (start.speed + system.jitter.speed * faster).max(0.0)
+            } else {
+                start.speed
+            },
         }
     };
     scenario.actors.iter().map(jittered).collect()

@@ -29,8 +29,16 @@ pub struct Row<'a> {
 impl Trace {
     /// An empty record of the ego and actors of these names.
     pub fn new<'n>(actors: impl Iterator<Item = &'n str>) -> Self {
-        let names = std::iter::once("ego").chain(actors).map(String::from).collect();
-        Self { names, times: Vec::new(), commands: Vec::new(), bodies: Vec::new() }
+        let names = std::iter::once("ego")
+            .chain(actors)
+            .map(String::from)
+            .collect();
+        Self {
+            names,
+            times: Vec::new(),
+            commands: Vec::new(),
+            bodies: Vec::new(),
+        }
     }
 
     /// Adds a row.
@@ -63,7 +71,12 @@ impl Trace {
     pub fn row(&self, index: usize) -> Row<'_> {
         let width = self.names.len();
         let row = &self.bodies[index * width..(index + 1) * width];
-        Row { time: self.times[index], ego: &row[0], actors: &row[1..], command: self.commands[index] }
+        Row {
+            time: self.times[index],
+            ego: &row[0],
+            actors: &row[1..],
+            command: self.commands[index],
+        }
     }
 
     /// All rows in order.

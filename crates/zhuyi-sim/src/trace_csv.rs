@@ -13,6 +13,8 @@
 //! Numbers have six decimals, so the text is as reproducible as the run. Names need no quotes: a scenario allows letters, digits,
 //! `_` and `-`. Left out: what the ego believes, and what happens after a contact.
 
+use std::fmt::Write;
+
 use zhuyi_core::{Body, Road, SimTime};
 
 use crate::trace::Trace;
@@ -59,11 +61,15 @@ fn add_row(text: &mut String, time: SimTime, name: &str, body: &Body, road: &Roa
         body.road.d,
     ];
     let lane = road.lane_at(body.road.d);
-    *text += &format!("{:.6},{name}", time.seconds());
+    // Writing to a string cannot fail.
+    let _ = write!(text, "{:.6},{name}", time.seconds());
     for number in numbers {
-        *text += &format!(",{:.6}", without_negative_zero(number));
+        let _ = write!(text, ",{:.6}", without_negative_zero(number));
     }
-    *text += &lane.map_or(",\n".to_string(), |lane| format!(",{}\n", lane.0));
+    let _ = match lane {
+        Some(lane) => writeln!(text, ",{}", lane.0),
+        None => writeln!(text, ","),
+    };
 }
 
 /// Zero for what would be printed as `-0.000000`.

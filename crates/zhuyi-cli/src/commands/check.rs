@@ -17,7 +17,7 @@ use crate::problems::Problems;
 Examples:
   zhuyi check my-scenario.ron
   zhuyi check scenarios/*.ron scenarios/system/*.ron
-  zhuyi check --system my-car.ron my-scenario.ron    (a lorry may not fit where the default car does)")]
+  zhuyi check --system my-car.ron my-scenario.ron   (does a longer car still fit?)")]
 pub struct Arguments {
     /// Scenario and system files
     #[arg(value_name = "FILE", required = true)]

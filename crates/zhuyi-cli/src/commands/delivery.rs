@@ -100,8 +100,8 @@ impl Delivery {
             .map(|(name, _)| self.out.join(name).display().to_string())
             .collect();
         Ok(Answer::new(format!(
-            "{}\nWrote {}\n",
-            results.summary,
+            "{}\n\nWrote {}\n",
+            results.summary.trim_end(),
             files.join(", ")
         )))
     }

@@ -38,7 +38,8 @@ Start here:
   zhuyi reproduce                  the table of the paper (DAC 2022), ours beside the published one
 
 Frame rates are in frames per second and named FPR, frame processing rate, as in the paper.
-Exit codes: 0 done, 1 --check found a difference, 2 bad input, 4 reading or writing failed, 130 interrupted."
+Exit codes: 0 done, 1 --check found a difference, 2 bad input, 4 reading or writing failed,
+            130 interrupted."
 )]
 pub struct Arguments {
     /// What to do.

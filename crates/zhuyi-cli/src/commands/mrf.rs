@@ -15,7 +15,7 @@ Examples:
   zhuyi mrf my-scenario.ron --fpr 1:60:2 --system my-car.ron
   zhuyi mrf cut-out-fast --set planner.time_headway_s=1.5
 
-A rate is safe when none of its seeds collides. The MRF is the lowest tested rate from which on all are safe; >30 says that
+A rate is safe when none of its seeds collides. The MRF is the lowest tested rate from which on all are safe; >30 says that \
 the highest tested one, 30, is not.")]
 pub struct Arguments {
     #[command(flatten)]

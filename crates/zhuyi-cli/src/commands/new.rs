@@ -23,7 +23,7 @@ Examples:
   zhuyi new                                my-scenario.ron, explained line by line
   zhuyi new roundabout -o try/roundabout.ron
   zhuyi new my-cut-in --from cut-in        a copy of a built-in scenario
-  zhuyi new my-car --from default          a copy of the built-in system: car, cameras, planner, estimator")]
+  zhuyi new my-car --from default          a copy of the built-in system, with the car and cameras")]
 pub struct Arguments {
     /// Name of the new scenario; its file is NAME.ron
     #[arg(value_name = "NAME", default_value = "my-scenario")]
@@ -86,11 +86,11 @@ impl Task for New {
                 vec!["run", "cut-in", "--system", &file],
             ],
         };
-        let mut text = format!("Wrote {file}. Next:\n");
-        for words in next {
-            text += &format!("  {}\n", shell::line(["zhuyi"].into_iter().chain(words)));
-        }
-        Ok(Answer::new(text))
+        let next = next
+            .into_iter()
+            .map(|words| shell::line(["zhuyi"].into_iter().chain(words)));
+        let lines: String = next.map(|line| format!("  {line}\n")).collect();
+        Ok(Answer::new(format!("Wrote {file}. Next:\n{lines}")))
     }
 }
 

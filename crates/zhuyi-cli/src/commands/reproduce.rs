@@ -11,11 +11,11 @@ use crate::error::Error;
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
-  zhuyi reproduce                                    9 scenarios x 30 rates x 10 seeds, into results/
-  zhuyi reproduce --check                            are the files in results/ what this program makes?
+  zhuyi reproduce                                    9 x 30 x 10 drives, into results/
+  zhuyi reproduce --check                            does it make what results/ holds?
   zhuyi reproduce --fpr 1,6,30 --seeds 2 --out out   a quick look
 
-Writes table1.md and table1.csv (ours beside the paper's), claims.md (which claims of the paper hold), runs.csv (one row per
+Writes table1.md and table1.csv (ours beside the paper's), claims.md (which claims of the paper hold), runs.csv (one row per \
 drive) and a manifest. What does not come out as in the paper is told, not hidden: the exit code is 0 whatever the claims say.")]
 pub struct Arguments {
     #[command(flatten)]

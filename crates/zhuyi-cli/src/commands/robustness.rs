@@ -14,7 +14,7 @@ Examples:
   zhuyi robustness                       into results/robustness.md
   zhuyi robustness --seeds 2 --out out   a quick look
 
-The paper gives no distances, braking or lag; they were chosen. This tells how far the table hangs on the choice: it is made
+The paper gives no distances, braking or lag; they were chosen. This tells how far the table hangs on the choice: it is made \
 again with each of them moved, and with fresh blocks of seeds.")]
 pub struct Arguments {
     #[command(flatten)]

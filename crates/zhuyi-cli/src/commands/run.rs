@@ -32,11 +32,12 @@ Examples:
   zhuyi run my-scenario.ron --system my-car.ron --trace drive.csv
   zhuyi run cut-in --json | jq .estimate.largest_fpr
 
-The demand is the paper's offline estimate: with the drive on record, the lowest frame rate at which each camera would have
-let the ego brake in time, at every 10 ms step; the highest is told. After a collision it covers the time up to the contact.
+The demand is the paper's offline estimate: with the drive on record, the lowest frame rate at which each \
+camera would have let the ego brake in time, at every 10 ms step; the highest is told. After a collision it covers the time \
+up to the contact.
 
-The trace has one row per time and vehicle: time_s,id,x_m,y_m,heading_rad,speed_mps,accel_mps2,length_m,width_m,s_m,d_m,lane.
-The ego's id is `ego`. The same command gives the same bytes.")]
+The trace has one row per time and vehicle: time_s, id, x_m, y_m, heading_rad, speed_mps, accel_mps2, length_m, width_m, \
+s_m, d_m, lane. The ego's id is `ego`. The same command gives the same bytes.")]
 pub struct Arguments {
     /// A scenario's name (see zhuyi list) or the path of a .ron file
     #[arg(value_name = "SCENARIO")]

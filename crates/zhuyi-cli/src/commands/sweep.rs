@@ -22,7 +22,7 @@ Examples:
   zhuyi sweep cut-out cut-out-fast --fpr 1:10,15,30 --seeds 50 --out out
   zhuyi sweep my-scenario.ron --fpr 2:30:2 --set planner.min_gap_m=2 --out out
 
-Writes DIR/runs.csv: one row per drive with its outcome, closeness, frames per camera, the offline estimate (drives without a
+Writes DIR/runs.csv: one row per drive with its outcome, closeness, frames per camera, the offline estimate (drives without a \
 collision) and the command that makes the drive again. The same command gives the same bytes.")]
 pub struct Arguments {
     #[command(flatten)]

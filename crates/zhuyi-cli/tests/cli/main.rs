@@ -58,7 +58,9 @@ impl Bench {
 
     fn command(&self, line: &str) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_zhuyi"));
-        command.args(line.split_whitespace()).current_dir(self.0.path());
+        command
+            .args(line.split_whitespace())
+            .current_dir(self.0.path());
         command
     }
 

@@ -7,12 +7,24 @@ fn hand_mrf_above_what_was_tested() {
     let bench = Bench::new();
     // Brakes of 1 m/s2 never do; a lone ego never collides.
     let out = bench.out("mrf cut-out-fast --fpr 3:5,9 --seeds 2 --set vehicle.friction=0.1");
-    let row = out.lines().find(|line| line.starts_with(" cut-out-fast")).unwrap();
-    assert!(row.contains(" >9 ") && row.contains("2 each at 3 to 9"), "{out}");
+    let row = out
+        .lines()
+        .find(|line| line.starts_with(" cut-out-fast"))
+        .unwrap();
+    assert!(
+        row.contains(" >9 ") && row.contains("2 each at 3 to 9"),
+        "{out}"
+    );
     // 1 - 0.05^(1/2) = 0.776.
-    assert!(out.contains("of the 4 tested, none of 2 seeds collided") && out.contains("below 78 %"), "{out}");
+    assert!(
+        out.contains("of the 4 tested, none of 2 seeds collided") && out.contains("below 78 %"),
+        "{out}"
+    );
     let out = bench.out("mrf vehicle-following --fpr 2 --seeds 1 --set actors=[]");
-    let row = out.lines().find(|line| line.starts_with(" vehicle-following")).unwrap();
+    let row = out
+        .lines()
+        .find(|line| line.starts_with(" vehicle-following"))
+        .unwrap();
     assert!(row.contains(" 2 ") && row.contains("none"), "{out}");
 }
 
@@ -29,7 +41,8 @@ fn law_a_sweep_has_one_row_per_run_and_its_command_makes_it_again() {
     assert!(rows[0].starts_with("scenario,"), "{}", rows[0]);
     for row in [rows[1], rows[8]] {
         let replay = row.rsplit_once(",zhuyi ").unwrap().1;
-        let json: serde_json::Value = serde_json::from_str(&bench.out(&format!("{replay} --json"))).unwrap();
+        let json: serde_json::Value =
+            serde_json::from_str(&bench.out(&format!("{replay} --json"))).unwrap();
         let collided = row.contains(",collision,");
         assert_eq!(collided, !json["collision"].is_null(), "{row}");
         let gap = format!("{:.4}", json["smallest_gap_m"].as_f64().unwrap());
@@ -47,7 +60,10 @@ fn law_results_are_reproduced_and_a_changed_one_is_told() {
     assert!(out.contains("Wrote out/"), "{out}");
     let names = bench.names("out");
     for name in ["claims.md", "runs.csv", "table1.csv", "table1.md"] {
-        assert!(names.iter().any(|made| made == name), "{name} is not in {names:?}");
+        assert!(
+            names.iter().any(|made| made == name),
+            "{name} is not in {names:?}"
+        );
     }
     let out = bench.out(&format!("{line} --check"));
     assert!(out.contains("files in out are reproduced"), "{out}");
@@ -55,8 +71,16 @@ fn law_results_are_reproduced_and_a_changed_one_is_told() {
     std::fs::remove_file(bench.path("out/table1.csv")).unwrap();
     let ran = bench.zhuyi(&format!("{line} --check"));
     assert_eq!(ran.code, Some(1));
-    assert!(ran.err.starts_with("error: not reproduced in out:\n"), "{}", ran.err);
-    assert!(ran.err.contains("claims.md:1: ") && ran.err.contains("table1.csv: missing"), "{}", ran.err);
+    assert!(
+        ran.err.starts_with("error: not reproduced in out:\n"),
+        "{}",
+        ran.err
+    );
+    assert!(
+        ran.err.contains("claims.md:1: ") && ran.err.contains("table1.csv: missing"),
+        "{}",
+        ran.err
+    );
     // Nothing was written.
     assert_eq!(bench.read("out/claims.md"), "all is well\n");
 }

@@ -10,10 +10,15 @@ fn json(bench: &Bench, line: &str) -> Value {
 
 /// The rate of every camera, in the order of the rig.
 fn rates(bench: &Bench, fpr: &str) -> Vec<(String, f64)> {
-    let document = json(bench, &format!("vehicle-following --set duration_s=1 --fpr {fpr}"));
+    let document = json(bench, &format!("cut-in --set duration_s=1 --fpr {fpr}"));
     let cameras = document["cameras"].as_array().unwrap().iter();
     cameras
-        .map(|camera| (camera["name"].as_str().unwrap().to_string(), camera["rate_fpr"].as_f64().unwrap()))
+        .map(|camera| {
+            (
+                camera["name"].as_str().unwrap().to_string(),
+                camera["rate_fpr"].as_f64().unwrap(),
+            )
+        })
         .collect()
 }
 
@@ -34,7 +39,10 @@ fn hand_the_summary_of_a_drive_without_collision() {
     ] {
         assert!(out.contains(told), "{told} is not in\n{out}");
     }
-    assert!(!out.contains("COLLISION") && !out.contains("up to the contact"), "{out}");
+    assert!(
+        !out.contains("COLLISION") && !out.contains("up to the contact"),
+        "{out}"
+    );
 }
 
 #[test]
@@ -56,20 +64,37 @@ fn hand_the_summary_of_a_collision() {
     }
     let document = json(&bench, line);
     let collision = &document["collision"];
-    assert_eq!((collision["actor"].as_str(), collision["side"].as_str()), (Some("obstacle"), Some("front")));
+    assert_eq!(
+        (collision["actor"].as_str(), collision["side"].as_str()),
+        (Some("obstacle"), Some("front"))
+    );
     assert_eq!(document["end_s"], collision["time_s"]);
     assert_eq!(document["estimate"]["until_contact"], Value::Bool(true));
     let crash = &collision["crash"];
     assert!(crash["impact_speed_mps"].as_f64().unwrap() > 5.0, "{crash}");
     // The lighter obstacle is pushed on along the road, and by more than the ego is slowed.
-    assert!(crash["other"]["delta_v_mps"].as_f64() > crash["ego"]["delta_v_mps"].as_f64(), "{crash}");
-    assert!(crash["other"]["s_m"].as_f64() > crash["ego"]["s_m"].as_f64(), "{crash}");
+    assert!(
+        crash["other"]["delta_v_mps"].as_f64() > crash["ego"]["delta_v_mps"].as_f64(),
+        "{crash}"
+    );
+    assert!(
+        crash["other"]["s_m"].as_f64() > crash["ego"]["s_m"].as_f64(),
+        "{crash}"
+    );
 }
 
 #[test]
 fn regress_the_names_of_the_document() {
     let document = json(&Bench::new(), "cut-in");
-    let names = |value: &Value| value.as_object().unwrap().keys().cloned().collect::<Vec<_>>().join(" ");
+    let names = |value: &Value| {
+        value
+            .as_object()
+            .unwrap()
+            .keys()
+            .cloned()
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
     // serde_json sorts the names of a document that is read.
     assert_eq!(
         names(&document),
@@ -92,8 +117,14 @@ fn regress_the_names_of_the_document() {
 fn law_the_same_command_gives_the_same_bytes_and_another_seed_does_not() {
     let bench = Bench::new();
     let line = "run cut-out --fpr 4 --seed 7";
-    let first = (bench.out(&format!("{line} --trace a.csv --json")), bench.read("a.csv"));
-    let second = (bench.out(&format!("{line} --trace b.csv --json")), bench.read("b.csv"));
+    let first = (
+        bench.out(&format!("{line} --trace a.csv --json")),
+        bench.read("a.csv"),
+    );
+    let second = (
+        bench.out(&format!("{line} --trace b.csv --json")),
+        bench.read("b.csv"),
+    );
     assert!(first == second, "two runs of {line} differ");
     bench.out("run cut-out --fpr 4 --seed 8 --trace c.csv");
     bench.out("run cut-out --fpr 4 --seed 7 --root-seed 1 --trace d.csv");
@@ -105,7 +136,10 @@ fn law_the_command_in_the_document_makes_the_same_document() {
     let bench = Bench::new();
     std::fs::create_dir(bench.path("sub")).unwrap();
     bench.write("sub/mine.ron", embedded::scenario("cut-in").unwrap());
-    let first = json(&bench, "sub/mine.ron --fpr front=6.5,left=2 --seed 4 --root-seed 2 --set planner.min_gap_m=2.5");
+    let first = json(
+        &bench,
+        "sub/mine.ron --fpr front=6.5,left=2 --seed 4 --root-seed 2 --set planner.min_gap_m=2.5",
+    );
     let command = first["command"].as_str().unwrap();
     let again = json(&bench, command.strip_prefix("zhuyi run ").unwrap());
     assert_eq!(first, again);
@@ -118,34 +152,67 @@ fn hand_a_setting_changes_the_outcome() {
     // The lead is there at once, ten metres ahead, and stands.
     let near = "--set actors.lead.start=Ahead(gap_m:10) --set actors.lead.speed_mps=0";
     let mut command = bench.command("run vehicle-following --json");
-    command.args(["--set", "actors.lead.start=Ahead(gap_m: 10)", "--set", "actors.lead.speed_mps=0"]);
+    command.args([
+        "--set",
+        "actors.lead.start=Ahead(gap_m: 10)",
+        "--set",
+        "actors.lead.speed_mps=0",
+    ]);
     let document: Value = serde_json::from_str(&crate::run(&mut command).out).unwrap();
     assert_eq!(document["collision"]["actor"], "lead");
-    assert_eq!(document["command"], "zhuyi run vehicle-following --set 'actors.lead.start=Ahead(gap_m: 10)' --set actors.lead.speed_mps=0");
-    assert_eq!(json(&bench, &format!("vehicle-following {near}"))["collision"], document["collision"]);
+    assert_eq!(
+        document["command"],
+        "zhuyi run vehicle-following --set 'actors.lead.start=Ahead(gap_m: 10)' --set actors.lead.speed_mps=0"
+    );
+    assert_eq!(
+        json(&bench, &format!("vehicle-following {near}"))["collision"],
+        document["collision"]
+    );
 }
 
 #[test]
 fn hand_rates_by_name() {
     let bench = Bench::new();
     let by_name = |rates: [f64; 5]| -> Vec<(String, f64)> {
-        ["front_120", "front_60", "left", "right", "rear"].map(String::from).into_iter().zip(rates).collect()
+        ["front_120", "front_60", "left", "right", "rear"]
+            .map(String::from)
+            .into_iter()
+            .zip(rates)
+            .collect()
     };
     assert_eq!(rates(&bench, "12.5"), by_name([12.5; 5]));
-    assert_eq!(rates(&bench, "front=10,left=5"), by_name([10.0, 10.0, 5.0, 30.0, 30.0]));
+    assert_eq!(
+        rates(&bench, "front=10,left=5"),
+        by_name([10.0, 10.0, 5.0, 30.0, 30.0])
+    );
     // The longer name decides, in any order.
-    assert_eq!(rates(&bench, "front_60=3,front=10"), by_name([10.0, 3.0, 30.0, 30.0, 30.0]));
-    assert_eq!(rates(&bench, "front=10,front_60=3"), by_name([10.0, 3.0, 30.0, 30.0, 30.0]));
+    assert_eq!(
+        rates(&bench, "front_60=3,front=10"),
+        by_name([10.0, 3.0, 30.0, 30.0, 30.0])
+    );
+    assert_eq!(
+        rates(&bench, "front=10,front_60=3"),
+        by_name([10.0, 3.0, 30.0, 30.0, 30.0])
+    );
     // What is not named keeps the system's rate.
-    let document = json(&bench, "cut-in --fpr left=5 --set perception.cameras.rear.rate_hz=8");
+    let document = json(
+        &bench,
+        "cut-in --fpr left=5 --set perception.cameras.rear.rate_hz=8",
+    );
     assert_eq!(document["cameras"][4]["rate_fpr"], 8.0);
 }
 
 #[test]
 fn law_frames_are_counted_against_thirty_per_second() {
-    let document = json(&Bench::new(), "vehicle-following --set duration_s=10 --fpr front=30,left=3,right=10");
+    let document = json(
+        &Bench::new(),
+        "vehicle-following --set duration_s=10 --fpr front=30,left=3,right=10",
+    );
     for camera in document["cameras"].as_array().unwrap() {
-        let (rate, share) = (camera["rate_fpr"].as_f64().unwrap(), camera["share_of_30_fpr"].as_f64().unwrap());
+        let (rate, share) = (
+            camera["rate_fpr"].as_f64().unwrap(),
+            camera["share_of_30_fpr"].as_f64().unwrap(),
+        );
         // 10 s: of the frames taken, at most two are still on their way.
         assert!((share - rate / 30.0).abs() <= 2.0 / 300.0, "{camera}");
     }
@@ -158,11 +225,17 @@ fn law_a_trace_has_one_row_per_time_and_vehicle() {
     let trace = bench.read("t.csv");
     let mut lines = trace.lines();
     let header = lines.next().unwrap();
-    assert_eq!(header, "time_s,id,x_m,y_m,heading_rad,speed_mps,accel_mps2,length_m,width_m,s_m,d_m,lane");
+    assert_eq!(
+        header,
+        "time_s,id,x_m,y_m,heading_rad,speed_mps,accel_mps2,length_m,width_m,s_m,d_m,lane"
+    );
     let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
     assert_eq!(rows.len(), 300 * 2);
     assert!(rows.iter().all(|row| row.len() == 12));
-    assert_eq!((rows[0][0], rows[0][1], rows[1][1]), ("0.000000", "ego", "cutter"));
+    assert_eq!(
+        (rows[0][0], rows[0][1], rows[1][1]),
+        ("0.000000", "ego", "cutter")
+    );
     assert_eq!((rows[598][0], rows[599][1]), ("2.990000", "cutter"));
     // 70 mph in lane 2.
     assert_eq!((rows[0][5], rows[0][11]), ("31.292800", "2"));
@@ -174,6 +247,14 @@ fn hand_an_evasion_is_told() {
     let bench = Bench::new();
     let document = json(&bench, "cut-out-fast");
     let text = bench.out("run cut-out-fast");
-    assert_eq!(document["evading_from_s"].is_null(), !text.contains("\n  evasion "), "{text}");
-    assert_eq!(document["hard_braking_from_s"].is_null(), !text.contains("braking hard from"), "{text}");
+    assert_eq!(
+        document["evading_from_s"].is_null(),
+        !text.contains("\n  evasion "),
+        "{text}"
+    );
+    assert_eq!(
+        document["hard_braking_from_s"].is_null(),
+        !text.contains("braking hard from"),
+        "{text}"
+    );
 }

@@ -107,6 +107,10 @@ pub struct AtRest {
 }
 
 /// The offline estimate.
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "findings that do not exclude each other"
+)]
 #[derive(Debug, Serialize)]
 pub struct Estimate {
     /// Whether it covers the time up to a contact only.
