@@ -44,13 +44,19 @@ impl<'a> Planner<'a> {
         if let Some(change) = self.evasion(ego, tracks, forecasts, time) {
             self.path = change;
         }
-        let required = self.hardest(ego, tracks, forecasts, time, self.params.standstill_gap).0;
+        let required = self
+            .hardest(ego, tracks, forecasts, time, self.params.standstill_gap)
+            .0;
         let evading = self.evading(time);
         let hard = self
             .hard
             .update(required, self.params.brake_above, self.params.release_below);
         let follow = self.follow(ego, tracks, forecasts, time);
-        let brake = if hard { -required.min(self.params.max_decel) } else { f64::INFINITY };
+        let brake = if hard {
+            -required.min(self.params.max_decel)
+        } else {
+            f64::INFINITY
+        };
         let manoeuvre = match (evading, hard) {
             (true, _) => Manoeuvre::Evade,
             (false, true) => Manoeuvre::Brake,
@@ -93,12 +99,25 @@ impl<'a> Planner<'a> {
     }
 
     /// The evasive lane change, when the contact would take more braking than the planner trusts and a lane is free.
-    fn evasion(&self, ego: &Body, tracks: &[Track], forecasts: &[Forecast], time: f64) -> Option<LaneChange> {
+    fn evasion(
+        &self,
+        ego: &Body,
+        tracks: &[Track],
+        forecasts: &[Forecast],
+        time: f64,
+    ) -> Option<LaneChange> {
         let (required, threat) = self.hardest(ego, tracks, forecasts, time, 0.0);
         if required <= self.params.evade_above || self.evading(time) {
             return None;
         }
-        let situation = Situation { params: self.params, road: self.road, ego, tracks, forecasts, now: time };
+        let situation = Situation {
+            params: self.params,
+            road: self.road,
+            ego,
+            tracks,
+            forecasts,
+            now: time,
+        };
         situation.evasion(self.road.lane_at(self.path.to)?, threat?)
     }
 

@@ -7,6 +7,8 @@ use zhuyi_core::FrameRates;
 use zhuyi_estimator::Estimator;
 use zhuyi_lab::Progress;
 use zhuyi_lab::mrf::{Required, required};
+use zhuyi_lab::runs::Typed;
+use zhuyi_lab::statistics::bound_without_event;
 use zhuyi_lab::sweep::{Cell, Experiment, Record, grid, uniform};
 use zhuyi_scenario::{Scenario, System};
 
@@ -18,6 +20,7 @@ use crate::interrupt;
 use crate::problems::Problems;
 use crate::progress::Bar;
 use crate::ranges::frame_rates;
+use crate::shell;
 use crate::tables::table;
 
 /// Scenarios, rates and seeds as typed.
@@ -64,6 +67,8 @@ pub struct Grid {
     pub rates: Vec<u32>,
     pub seeds: u64,
     root_seed: u64,
+    /// How to type one of the drives.
+    pub typed: Typed,
 }
 
 /// A number of seeds as typed.
@@ -92,9 +97,21 @@ impl Arguments {
                 rates: rates?,
                 seeds: seeds?,
                 root_seed: root_seed?,
+                typed: self.typed(),
             })
         };
         problems.finish(grid())
+    }
+
+    fn typed(&self) -> Typed {
+        let scenarios = self
+            .scenarios
+            .iter()
+            .map(|scenario| shell::line([scenario.as_str()]));
+        Typed {
+            scenarios: scenarios.collect(),
+            options: shell::line(self.setup.words()),
+        }
     }
 }
 
@@ -167,12 +184,10 @@ impl Grid {
 
     /// What a table of this kind says and what not.
     pub fn legend(&self) -> String {
-        // n drives without a collision: its chance is below 1 - 0.05^(1/n) with 95 % confidence.
-        let bound = 100.0 * (1.0 - 0.05_f64.powf(1.0 / self.seeds as f64));
+        let bound = 100.0 * bound_without_event(self.seeds as u32);
         format!(
-            "MRF: the minimum required rate in frames per second: at it, and at every higher one of the {} tested, none of {} \
-             seeds collided.\nThat none did says that the chance of a collision is below {bound:.0} % (with 95 % confidence), \
-             not that there is none.\n",
+            "MRF, the minimum required rate: at it, and at every higher one of the {} tested, none of {} seeds\n\
+             collided. So the chance of a collision there is below {bound:.0} % (with 95 % confidence), not zero.\n",
             self.rates.len(),
             self.seeds
         )

@@ -89,8 +89,11 @@ impl Task for New {
         let next = next
             .into_iter()
             .map(|words| shell::line(["zhuyi"].into_iter().chain(words)));
-        let lines: String = next.map(|line| format!("  {line}\n")).collect();
-        Ok(Answer::new(format!("Wrote {file}. Next:\n{lines}")))
+        let lines: Vec<String> = next.map(|line| format!("  {line}\n")).collect();
+        Ok(Answer::new(format!(
+            "Wrote {file}. Next:\n{}",
+            lines.concat()
+        )))
     }
 }
 

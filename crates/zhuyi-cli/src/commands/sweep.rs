@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use zhuyi_lab::runs::csv_typed;
 use zhuyi_lab::sweep::estimator;
-use zhuyi_lab::{Results, prepare, runs};
+use zhuyi_lab::{Results, prepare};
 
 use super::{Task, grid};
 use crate::answer::Answer;
@@ -55,11 +56,10 @@ impl Task for Sweep {
     fn run(self: Box<Self>) -> Result<Answer, Error> {
         let estimators = [estimator(&self.grid.system, |_| {})];
         let records = self.grid.run(&estimators)?;
+        let experiment = self.grid.experiment();
+        let parts = [("sweep", records.as_slice())];
         let results = Results {
-            files: vec![(
-                FILE,
-                runs::csv(&self.grid.experiment(), &[("sweep", &records)]),
-            )],
+            files: vec![(FILE, csv_typed(&experiment, &self.grid.typed, &parts))],
             claims: Vec::new(),
             summary: self.grid.table(&records),
         };

@@ -1,6 +1,7 @@
 //! `mrf`, `sweep`, `reproduce`, `robustness`, with few runs.
 
 use crate::Bench;
+use zhuyi_scenario::embedded;
 
 #[test]
 fn hand_mrf_above_what_was_tested() {
@@ -17,7 +18,7 @@ fn hand_mrf_above_what_was_tested() {
     );
     // 1 - 0.05^(1/2) = 0.776.
     assert!(
-        out.contains("of the 4 tested, none of 2 seeds collided") && out.contains("below 78 %"),
+        out.contains("of the 4 tested, none of 2 seeds\ncollided.") && out.contains("below 78 %"),
         "{out}"
     );
     let out = bench.out("mrf vehicle-following --fpr 2 --seeds 1 --set actors=[]");
@@ -31,7 +32,12 @@ fn hand_mrf_above_what_was_tested() {
 #[test]
 fn law_a_sweep_has_one_row_per_run_and_its_command_makes_it_again() {
     let bench = Bench::new();
-    let line = "sweep cut-out-fast vehicle-following --fpr 1:30:29 --seeds 2 --root-seed 5 --out made/here";
+    std::fs::create_dir(bench.path("mine")).unwrap();
+    bench.write(
+        "mine/near.ron",
+        embedded::scenario("vehicle-following").unwrap(),
+    );
+    let line = "sweep cut-out-fast mine/near.ron --fpr 1:30:29 --seeds 2 --root-seed 5 --set planner.min_gap_m=2.5 --out made/here";
     let out = bench.out(line);
     assert!(out.contains("8 drives in made/here/runs.csv"), "{out}");
     assert_eq!(bench.names("made/here"), ["runs.csv"]);
@@ -39,6 +45,9 @@ fn law_a_sweep_has_one_row_per_run_and_its_command_makes_it_again() {
     let rows: Vec<&str> = runs.lines().collect();
     assert_eq!(rows.len(), 1 + 8);
     assert!(rows[0].starts_with("scenario,"), "{}", rows[0]);
+    assert!(rows[8].ends_with(
+        "zhuyi run mine/near.ron --fpr 30 --seed 1 --root-seed 5 --set planner.min_gap_m=2.5"
+    ));
     for row in [rows[1], rows[8]] {
         let replay = row.rsplit_once(",zhuyi ").unwrap().1;
         let json: serde_json::Value =

@@ -242,19 +242,28 @@ fn law_a_trace_has_one_row_per_time_and_vehicle() {
 }
 
 #[test]
-fn hand_an_evasion_is_told() {
-    // Without the cars beside it the ego leaves its lane for the obstacle; the text says when, if it does.
+fn law_text_and_document_agree_on_braking_and_evasion() {
     let bench = Bench::new();
-    let document = json(&bench, "cut-out-fast");
-    let text = bench.out("run cut-out-fast");
-    assert_eq!(
-        document["evading_from_s"].is_null(),
-        !text.contains("\n  evasion "),
-        "{text}"
-    );
-    assert_eq!(
-        document["hard_braking_from_s"].is_null(),
-        !text.contains("braking hard from"),
-        "{text}"
-    );
+    let text = embedded::scenario("cut-out-fast").unwrap();
+    let beside = |line: &&str| line.contains("\"left\"") || line.contains("\"right\"");
+    let alone: Vec<&str> = text.lines().filter(|line| !beside(line)).collect();
+    bench.write("alone.ron", &alone.join("\n"));
+    let mut braked = 0;
+    for line in [
+        "cut-out-fast",
+        "alone.ron --fpr 3",
+        "alone.ron --fpr 1",
+        "front-right-activity-1",
+    ] {
+        let (document, text) = (json(&bench, line), bench.out(&format!("run {line}")));
+        let brakes = !document["hard_braking_from_s"].is_null();
+        assert_eq!(brakes, text.contains("braking hard from"), "{text}");
+        assert_eq!(
+            !document["evading_from_s"].is_null(),
+            text.contains("\n  evasion "),
+            "{text}"
+        );
+        braked += u32::from(brakes);
+    }
+    assert!((1..4).contains(&braked), "both cases are to be seen");
 }

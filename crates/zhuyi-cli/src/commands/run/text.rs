@@ -111,7 +111,10 @@ fn closeness(summary: &Summary) -> String {
         },
     );
     if let Some(from) = summary.evading_from_s {
-        say("evasion", format!("the ego left its lane from {from:.2} s"));
+        say(
+            "evasion",
+            format!("the ego leaves its lane from {from:.2} s on"),
+        );
     }
     text
 }
