@@ -13,6 +13,8 @@
 //! What it guarantees, each shown by a test: the same plan gives the same bytes at any number of threads; the order of the
 //! cells changes nothing; a run alone is the run of its sweep; no number of the paper's table is known outside [`paper`].
 
+#[doc = include_str!("calibration.md")]
+pub mod calibration {}
 pub mod claims;
 pub mod error;
 pub mod estimators;

@@ -108,8 +108,8 @@ fn hand_an_empty_road_at_the_desired_speed_asks_for_nothing() {
 
 #[test]
 fn hand_comfort_ends_at_its_limit() {
-    // 20 m/s towards a standing car at 100 m: car following wants more than 1 m/s2, required are 400 / 194 = 2.1.
-    let command = plan(20.0, &[track(100.0, 0.0, 0.0, 0.0)]);
+    // 20 m/s towards a standing car at 85 m: car following wants 1.5 (1 - (117.3 / 85)^2) = -1.36, required are 400 / 164 = 2.4.
+    let command = plan(20.0, &[track(85.0, 0.0, 0.0, 0.0)]);
     assert_eq!(
         (command.accel, command.manoeuvre),
         (-1.0, Manoeuvre::Follow)

@@ -94,41 +94,33 @@ impl Delivery {
             results.write(&self.out)
         };
         written?;
-        let files: Vec<String> = results
-            .files
-            .iter()
-            .map(|(name, _)| self.out.join(name).display().to_string())
-            .collect();
-        Ok(Answer::new(format!(
-            "{}\n\nWrote {}\n",
-            results.summary.trim_end(),
-            files.join(", ")
+        let files = results.files.iter().map(|(name, _)| self.out.join(name));
+        let files: Vec<String> = files.map(|path| path.display().to_string()).collect();
+        Ok(Answer::new(told(
+            results,
+            &format!("Wrote {}", files.join(", ")),
         )))
     }
 
     fn compare(&self, results: &Results) -> Result<Answer, Error> {
-        let differences: Vec<String> = results
-            .check(&self.out)?
-            .iter()
-            .map(ToString::to_string)
-            .collect();
+        let differences = results.check(&self.out)?;
+        let out = self.out.display();
         if differences.is_empty() {
             let count = results.files.len();
-            let text = format!(
-                "{}\nAll {count} files in {} are reproduced.\n",
-                results.summary,
-                self.out.display()
-            );
-            return Ok(Answer::new(text));
+            let verdict = format!("All {count} files in {out} are reproduced.");
+            return Ok(Answer::new(told(results, &verdict)));
         }
-        let unmet = format!(
-            "not reproduced in {}:\n  {}",
-            self.out.display(),
-            differences.join("\n  ")
-        );
+        let lines: Vec<String> = differences.iter().map(|one| format!("\n  {one}")).collect();
+        let unmet = format!("not reproduced in {out}:{}", lines.concat());
+        let verdict = format!("{} files in {out} are not reproduced.", differences.len());
         Ok(Answer::failing(
-            results.summary.clone(),
+            told(results, &verdict),
             Error::Unmet(unmet),
         ))
     }
+}
+
+/// What a command says, and what became of its files.
+fn told(results: &Results, verdict: &str) -> String {
+    format!("{}\n\n{verdict}\n", results.summary.trim_end())
 }

@@ -93,3 +93,11 @@ fn law_results_are_reproduced_and_a_changed_one_is_told() {
     // Nothing was written.
     assert_eq!(bench.read("out/claims.md"), "all is well\n");
 }
+
+#[test]
+fn hand_robustness_writes_its_file() {
+    let bench = Bench::new();
+    let out = bench.out("robustness --fpr 30 --seeds 1 --out out");
+    assert!(out.ends_with("Wrote out/robustness.md\n"), "{out}");
+    assert_eq!(bench.names("out"), ["robustness.md"]);
+}
