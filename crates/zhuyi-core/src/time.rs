@@ -37,7 +37,7 @@ impl SimTime {
 
     /// [s] in seconds.
     pub fn seconds(self) -> f64 {
-        self.0 as f64 * 1e-9
+        self.0 as f64 / 1e9
     }
 }
 

@@ -84,8 +84,8 @@ mod tests {
         let mut smallest = gap;
         for _ in 0..200_000 {
             let (v1, u1) = ((v - decel * dt).max(0.0), (u + lead_accel * dt).max(0.0));
-            x += (v + v1) / 2.0 * dt;
-            lead += (u + u1) / 2.0 * dt;
+            x += f64::midpoint(v, v1) * dt;
+            lead += f64::midpoint(u, u1) * dt;
             (v, u) = (v1, u1);
             if lead - x < smallest {
                 smallest = lead - x;

@@ -181,7 +181,8 @@ fn leader(id: ActorId, me: &Body, scene: &Scene) -> Option<Leader> {
         .chain(std::iter::once(&scene.ego))
         .filter(|other| other.road.s > me.road.s)
         .filter(|other| {
-            (other.road.d - me.road.d).abs() < (other.footprint.width + me.footprint.width) / 2.0
+            (other.road.d - me.road.d).abs()
+                < f64::midpoint(other.footprint.width, me.footprint.width)
         })
         .min_by(|a, b| a.rear().total_cmp(&b.rear()))
         .map(|other| Leader {

@@ -137,6 +137,7 @@ impl Ego {
     }
 
     /// The state `dt` seconds later at constant acceleration and steering angle (one step of the classical Runge-Kutta method).
+    #[must_use]
     pub fn advanced(&self, vehicle: &Vehicle, road: &Road, dt: f64) -> Self {
         let slip = vehicle.slip_angle(self.steering);
         let turn = slip.sin() / (vehicle.wheelbase / 2.0);

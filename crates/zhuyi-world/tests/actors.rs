@@ -39,7 +39,7 @@ fn road(curvature: f64) -> Road {
             curvature,
         }
     };
-    Road::new(Pose::default(), &[line], 3, 3.5).unwrap()
+    Road::new(Pose::default(), &[line], 3, 3.5).expect("a road")
 }
 
 fn actor(

@@ -67,7 +67,7 @@ pub struct Arguments {
     /// Write where every vehicle was at every 10 ms step, as CSV
     #[arg(long, value_name = "FILE")]
     trace: Option<PathBuf>,
-    /// Print one JSON document instead of text
+    /// Print one JSON document instead of text; its names carry their units
     #[arg(long)]
     json: bool,
 }

@@ -138,8 +138,8 @@ pub struct Camera {
     pub rate_fpr: f64,
     /// [FPR] its highest demand.
     pub demand_fpr: f64,
-    /// [s] when that came first.
-    pub demand_time_s: f64,
+    /// [s] when that came first; `null` when nobody asked for anything.
+    pub demand_time_s: Option<f64>,
     /// For whom; `null` when nobody asked for anything.
     pub demand_actor: Option<String>,
     /// Frames taken.
@@ -216,7 +216,7 @@ fn cameras(asked: &Run, run: &zhuyi_sim::Run, peaks: &Peaks, end: f64) -> Vec<Ca
             analysed: eye.camera.analysed,
             rate_fpr: asked.rates.all()[place],
             demand_fpr: peak.fpr,
-            demand_time_s: seconds(peak.time),
+            demand_time_s: peak.actor.map(|_| seconds(peak.time)),
             demand_actor: peak.actor.map(|actor| name(&asked.scenario, actor)),
             frames_exposed: frames.exposed,
             frames_processed: frames.processed,

@@ -137,7 +137,9 @@ fn cameras(summary: &Summary) -> String {
             format!("{}{mark}", camera.name),
             format!("{} FPR", camera.rate_fpr),
             format!("{:.2} FPR", camera.demand_fpr),
-            asked.map_or(String::new(), |_| format!("{:.2} s", camera.demand_time_s)),
+            camera
+                .demand_time_s
+                .map_or(String::new(), |time| format!("{time:.2} s")),
             asked.unwrap_or("nobody").to_string(),
             camera.frames_processed.to_string(),
             percent(camera.share_of_30_fpr),
