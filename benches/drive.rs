@@ -57,7 +57,7 @@ fn offline_estimate(bencher: Bencher<'_, '_>, name: &str) {
     )
     .run();
     let estimator = Estimator::new(system.estimator.clone());
-    bencher.bench_local(|| Hindsight::new(&run.trace, &system).peaks(&estimator));
+    bencher.bench_local(|| Hindsight::new(&run.trace, &system, &rates).peaks(&estimator));
 }
 
 /// One actor on one piece of constant acceleration: a car that brakes at 3 m/s2, 40 m ahead.

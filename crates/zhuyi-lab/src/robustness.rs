@@ -141,7 +141,7 @@ fn markdown(plan: &Plan, varied: &[Line], fresh: &[Line]) -> String {
         "# How the minimum required rates move\n\n\
          Written by `zhuyi robustness`: {}.\n\n\
          ## One change at a time\n\n{}\n\
-         Bold: not the paper's MRF. A star: some rate below the MRF has no collision either. Distances: every gap, distance and time to \
+         Bold: not the paper's MRF. †: some rate below the MRF has no collision either. Distances: every gap, distance and time to \
          collision that a manoeuvre waits for, and every gap ahead at the start.\n\n\
          ## Nothing changed but the seeds\n\n{}\n{}\n",
         plan.spelt(),
@@ -166,10 +166,14 @@ fn table(plan: &Plan, lines: &[Line]) -> String {
     let line = |line: &Line| {
         let mut row = vec![line.changed.clone(), line.by.clone()];
         row.extend(line.required.iter().zip(&published).map(|(ours, paper)| {
-            let star = if ours.safe_below.is_empty() { "" } else { "*" };
+            let dagger = if ours.safe_below.is_empty() {
+                ""
+            } else {
+                "†"
+            };
             match paper {
-                Some(paper) if *paper != ours.mrf => format!("**{}**{star}", ours.mrf),
-                _ => format!("{}{star}", ours.mrf),
+                Some(paper) if *paper != ours.mrf => format!("**{}**{dagger}", ours.mrf),
+                _ => format!("{}{dagger}", ours.mrf),
             }
         }));
         let (same, of) = as_published(line, &published);

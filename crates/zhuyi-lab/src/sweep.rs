@@ -133,7 +133,7 @@ impl Experiment<'_> {
         let peaks = if collision.is_some() || estimators.is_empty() {
             Vec::new()
         } else {
-            let hindsight = Hindsight::new(&run.trace, self.system);
+            let hindsight = Hindsight::new(&run.trace, self.system, &cell.rates);
             estimators
                 .iter()
                 .map(|estimator| hindsight.peaks(estimator))

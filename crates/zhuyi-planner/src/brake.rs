@@ -29,11 +29,7 @@ pub fn required_decel(gap: f64, speed: f64, lead_speed: f64, lead_accel: f64) ->
     let closing = speed - lead_speed;
     let lead_decel = (-lead_accel).max(0.0);
     if gap <= 0.0 {
-        return if closing > 0.0 || lead_decel > 0.0 {
-            f64::INFINITY
-        } else {
-            0.0
-        };
+        return if closing > 0.0 { f64::INFINITY } else { 0.0 };
     }
     let at_equal_speeds = lead_decel + closing * closing / (2.0 * gap);
     if lead_decel == 0.0 {

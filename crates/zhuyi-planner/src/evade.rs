@@ -86,7 +86,8 @@ impl Situation<'_> {
         Some(hardest)
     }
 
-    /// Whether the ego on `change` is out of the threat's way before it gets there, its speed held.
+    /// Whether the ego on `change` is out of the threat's way before it gets there, its speed held: clear both of where
+    /// the threat is now and of where it is expected then.
     fn clears(&self, change: &LaneChange, threat: &Track) -> bool {
         let closing = self.ego.s_rate - threat.s_rate;
         let gap = threat.rear() - self.ego.front();

@@ -52,8 +52,9 @@ pub struct System {
     pub planner: PlannerParams,
     /// The estimator.
     pub estimator: Estimator,
-    /// [s] l_0, the latency at which the estimator takes every camera to run now (reading R22).
-    pub assumed_latency: f64,
+    /// [s] l_0, the latency at which the estimator takes every camera to run now; none: each camera's own frame period
+    /// (readings R14, R22).
+    pub current_latency: Option<f64>,
     /// How the seeds of a sweep differ (reading R18).
     pub jitter: Jitter,
 }

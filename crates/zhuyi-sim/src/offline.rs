@@ -2,8 +2,9 @@
 //!
 //! This is the paper's pre-deployment use: ground truth, one trajectory per actor, the one that was driven.
 
-use zhuyi_core::{ActorId, CameraId, SimTime};
+use zhuyi_core::{ActorId, CameraId, FrameRates, SimTime};
 use zhuyi_estimator::{Demand, Ego, Estimate, Estimator, Recording, Watch};
+use zhuyi_perception::Eye;
 use zhuyi_scenario::System;
 
 use crate::recorded::futures;
@@ -18,16 +19,17 @@ pub struct Hindsight<'a> {
 }
 
 impl<'a> Hindsight<'a> {
-    /// From a finished run of `system`, with l_0 as the system sets it.
-    pub fn new(trace: &'a Trace, system: &'a System) -> Self {
-        let watch = |eye: &'a zhuyi_perception::Eye| Watch {
+    /// From a finished run of `system` at `rates`, with l_0 each camera's own frame period unless the system sets another.
+    pub fn new(trace: &'a Trace, system: &'a System, rates: &FrameRates) -> Self {
+        let watch = |(eye, hz): (&'a Eye, &f64)| Watch {
             camera: &eye.camera,
-            current_latency: system.assumed_latency,
+            current_latency: system.current_latency.unwrap_or(1.0 / hz),
         };
+        let rig = system.perception.eyes.iter().zip(rates.all());
         Self {
             trace,
             futures: futures(trace).into_iter().map(Recording::new).collect(),
-            rig: system.perception.eyes.iter().map(watch).collect(),
+            rig: rig.map(watch).collect(),
         }
     }
 

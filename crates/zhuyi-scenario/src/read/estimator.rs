@@ -1,5 +1,6 @@
 //! The estimator. A field that is left out has the paper's value.
 
+use super::rig::latency;
 use super::{ACCEL, COUNT, read_all};
 use crate::fields::Fields;
 use crate::limits::{above, within};
@@ -9,8 +10,8 @@ use zhuyi_estimator::{Aggregation, Criterion, Grid, Params, Solver};
 /// The estimator's parameters and the latency it takes for granted.
 pub(super) struct Estimator {
     pub(super) params: Params,
-    /// [s] `l_0`.
-    pub(super) assumed_latency: f64,
+    /// [s] `l_0`; none: each camera's own frame period.
+    pub(super) current_latency: Option<f64>,
 }
 
 /// The estimator.
@@ -18,7 +19,9 @@ pub(super) fn estimator(node: &Node) -> Option<Estimator> {
     node.structure("Estimator", |fields| {
         read_all!(Estimator {
             params: params(fields),
-            assumed_latency: assumed_latency(fields)
+            current_latency: fields
+                .optional("current_latency")
+                .map_or(Some(None), |node| latency("current_latency", &node))
         })
     })
 }
@@ -52,18 +55,6 @@ fn params(fields: &Fields) -> Option<Params> {
             .optional("aggregation")
             .map_or(Some(paper.aggregation), |node| aggregation(&node)),
     })
-}
-
-/// [s] given as a latency or as the frame rate that has it for its period.
-fn assumed_latency(fields: &Fields) -> Option<f64> {
-    match fields
-        .at_most_one_of(&["assumed_latency_s", "assumed_rate_hz"])
-        .ok()?
-    {
-        Some(("assumed_latency_s", node)) => node.number(above(0.0, 10.0)),
-        Some((_, node)) => Some(1.0 / node.number(within(0.1, 1_000.0))?),
-        None => Some(1.0 / 30.0),
-    }
 }
 
 fn grid(node: &Node) -> Option<Grid> {

@@ -53,7 +53,7 @@ fn cameras(
                 .map_or(confirm_frames, |node| node.whole(COUNT));
             let latency = fields
                 .optional("latency")
-                .map_or(Some(None), |node| latency(&node));
+                .map_or(Some(None), |node| latency("latency", &node));
             let rate = fields.number_or("rate_hz", within(0.1, 1_000.0), 30.0);
             let camera = camera(fields, &nodes[..index], vehicle);
             let eye = read_all!(Eye {
@@ -113,9 +113,9 @@ fn mount(fields: &Fields, name: &'static str, limit: Option<f64>) -> Option<f64>
     clippy::option_option,
     reason = "refused, or read: one frame period or a time of its own"
 )]
-fn latency(node: &Node) -> Option<Option<f64>> {
+pub(super) fn latency(name: &'static str, node: &Node) -> Option<Option<f64>> {
     node.variant(
-        "latency",
+        name,
         &[
             ("FramePeriod", &|_| Some(None)),
             ("Fixed", &|fields| {

@@ -35,7 +35,7 @@ pub(crate) fn system(root: &Node) -> Option<System> {
             predictor: predictor?,
             planner: planner?,
             estimator: estimator.params,
-            assumed_latency: estimator.assumed_latency,
+            current_latency: estimator.current_latency,
             jitter: jitter?,
         })
     })

@@ -100,22 +100,18 @@ fn camera(
         ("fov_deg", degrees(camera.fov)),
         ("range_m", Number(camera.range)),
         ("rate_hz", Number(rate)),
-        (
-            "latency",
-            match *latency {
-                None => Variant("FramePeriod", Vec::new()),
-                Some(latency) => Variant(
-                    "Fixed",
-                    vec![(
-                        "latency_ms",
-                        number_for(latency, latency * 1e3, |ms| ms / 1e3),
-                    )],
-                ),
-            },
-        ),
+        ("latency", frame_latency(*latency)),
         ("confirm_frames", Whole(*confirm_frames)),
         ("analysed", Truth(camera.analysed)),
     ])
+}
+
+/// A latency [s] of its own, or the frame period.
+fn frame_latency(latency: Option<f64>) -> Value {
+    latency.map_or(Variant("FramePeriod", Vec::new()), |latency| {
+        let milliseconds = number_for(latency, latency * 1e3, |ms| ms / 1e3);
+        Variant("Fixed", vec![("latency_ms", milliseconds)])
+    })
 }
 
 fn prediction(predictor: Predictor) -> Value {
@@ -200,6 +196,6 @@ fn estimator(system: &System) -> Value {
                 Aggregation::Mean => name("Mean"),
             },
         ),
-        ("assumed_latency_s", Number(system.assumed_latency)),
+        ("current_latency", frame_latency(system.current_latency)),
     ])
 }

@@ -90,7 +90,7 @@ const EVERYTHING: &str = r#"(
 fn law_shown_reads_back_equal_with_every_variant_and_odd_numbers() {
     let arguments = [
         "prediction=ConstantAcceleration",
-        "estimator=(aggregation: Worst, grid: Fps, solver: Paper, criterion: Standstill, assumed_rate_hz: 7.3)",
+        "estimator=(aggregation: Worst, grid: Fps, solver: Paper, criterion: Standstill, current_latency: Fixed(latency_ms: 137))",
         "perception.cameras.front.latency=Fixed(latency_ms: 33.3)",
         "perception.cameras.front.fov_deg=99.9",
         "perception.cameras.rear.confirm_frames=3",

@@ -428,8 +428,8 @@ fn hand_systems() {
             ),
             (
                 "estimator: ()",
-                "estimator: (assumed_rate_hz: 30, assumed_latency_s: 0.1)",
-                "23:34 give exactly one of `assumed_latency_s`, `assumed_rate_hz`, got `assumed_latency_s`, `assumed_rate_hz`",
+                "estimator: (current_latency: Fixed(latency_ms: 0))",
+                "23:55 `latency_ms` must be 0.1 to 10000, got 0",
             ),
             (
                 "estimator: ()",

@@ -154,14 +154,17 @@ impl Summary {
     /// The summary of a drive.
     pub fn new(asked: &Run, run: &zhuyi_sim::Run) -> Self {
         let Run {
-            scenario, system, ..
+            scenario,
+            system,
+            rates,
+            ..
         } = asked;
         let end = match &run.outcome {
             Outcome::Completed => scenario.duration,
             Outcome::Collision(collision) => collision.time,
         };
         let estimator = Estimator::new(system.estimator.clone());
-        let peaks = Hindsight::new(&run.trace, system).peaks(&estimator);
+        let peaks = Hindsight::new(&run.trace, system, rates).peaks(&estimator);
         let extremes = run.extremes();
         let first = |manoeuvre| {
             let mut rows = run.trace.rows();
