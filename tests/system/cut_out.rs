@@ -55,7 +55,7 @@ fn law_without_occlusion_the_required_rate_falls() {
     };
     let (hidden, seen) = (required(&occluded), required(&transparent));
     assert!(
-        seen < hidden,
+        hidden >= 5 && seen <= 2,
         "required rate {seen} without occlusion, {hidden} with it"
     );
 }

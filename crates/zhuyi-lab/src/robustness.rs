@@ -25,6 +25,9 @@ use variations::{Variation, variations};
 /// How many blocks of fresh seeds are run.
 const BLOCKS: u64 = 20;
 
+/// The first fresh seed: far from those over which the scenarios were searched.
+const FRESH_FROM: u64 = 1_000;
+
 /// One line of a table: what was changed, and the MRF of each scenario.
 struct Line {
     changed: String,
@@ -80,7 +83,8 @@ fn varied(plan: &Plan, variation: &Variation, progress: &dyn Progress) -> Line {
 }
 
 fn fresh(plan: &Plan, block: u64, progress: &dyn Progress) -> Line {
-    let seeds = block * plan.seeds..(block + 1) * plan.seeds;
+    let first = FRESH_FROM + (block - 1) * plan.seeds;
+    let seeds = first..first + plan.seeds;
     let by = format!("{} to {}", seeds.start, seeds.end - 1);
     Line {
         changed: "seeds".to_string(),

@@ -62,13 +62,18 @@ impl View {
         );
     }
 
-    /// Whether the box at this place is in range and at least `least_share` of it is visible.
+    /// Whether the box at this place is in range and at least `least_share` of it is visible; with a least share of 0,
+    /// whether it is in range and view, hidden or not.
     pub fn sees(&mut self, which: usize, least_share: f64) -> bool {
-        if self.outlines[which].distance > self.range {
+        let body = self.outlines[which];
+        if body.distance > self.range {
             return false;
         }
-        let share = self.share(which);
-        share > 0.0 && share >= least_share
+        if least_share > 0.0 {
+            self.share(which) >= least_share
+        } else {
+            body.bearing + body.right < self.fov / 2.0 && body.bearing + body.left > -self.fov / 2.0
+        }
     }
 
     /// [-] the visible share of the box at this place, in range or not.

@@ -1,4 +1,4 @@
-//! Evasion: a lane change when braking alone cannot avoid the contact.
+//! Evasion: a lane change when the braking that would avoid the contact is more than the planner trusts itself to get.
 //!
 //! A neighbouring lane is free when, with the ego in it,
 //!
@@ -94,7 +94,17 @@ impl Situation<'_> {
         if gap <= 0.0 || closing <= 0.0 {
             return false;
         }
-        let at_arrival = change.at(self.now + gap / closing).d;
-        (at_arrival - threat.road.d).abs() >= reach(threat, self.ego, self.params.lateral_margin)
+        let arrival = gap / closing;
+        let ego = change.at(self.now + arrival).d;
+        let reach = reach(threat, self.ego, self.params.lateral_margin);
+        let forecast = self
+            .tracks
+            .iter()
+            .zip(self.forecasts)
+            .find(|(t, _)| t.actor == threat.actor);
+        let then = forecast.map_or(threat.road.d, |(_, forecast)| {
+            offset_after(forecast, arrival)
+        });
+        (ego - threat.road.d).abs() >= reach && (ego - then).abs() >= reach
     }
 }

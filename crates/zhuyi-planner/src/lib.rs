@@ -8,8 +8,9 @@
 //!
 //! The planner knows the road, its own motion, and confirmed tracks extrapolated to now. It never sees the truth.
 //! Gentle car following acts all the time; hard braking is latched once the deceleration that would still avoid a contact
-//! passes a threshold; a lane change is begun only when that deceleration passes what braking can give, and only into a lane
-//! that is free by the safety criterion of MOBIL.
+//! passes one threshold, and asks for what is required up to its limit; a lane change is begun when that deceleration passes
+//! another, and only into a lane that is free by the safety criterion of MOBIL. Between limit and second threshold the ego
+//! brakes at its limit: the contact may still be avoided, because what brakes or leaves ahead lowers what is required.
 
 mod brake;
 mod corridor;

@@ -1,7 +1,7 @@
 //! The loop: one tick moves the truth by one step, with the ego acting on what its cameras have told it so far.
 
 use rand::RngExt;
-use zhuyi_core::{Body, Forecast, FrameRates, Frenet, SimTime};
+use zhuyi_core::{CameraId, Forecast, FrameRates, Frenet, SimTime};
 use zhuyi_perception::{Eyes, Purpose, Tracker};
 use zhuyi_planner::Planner;
 use zhuyi_scenario::{Scenario, System};
@@ -53,7 +53,7 @@ impl<'a> Simulation<'a> {
             ego,
             &starts,
         );
-        let stream = |purpose: Purpose| draws.stream(&format!("{purpose:?}"));
+        let stream = |purpose: Purpose| draws.stream(&spelt(purpose, scenario, system));
         let mut eyes = Eyes::new(&system.perception, rates, stream, world.scene());
         let mut tracker = Tracker::new(&system.perception, scenario.actors.len());
         tracker.start_confirmed(&eyes.glance(world.scene()));
@@ -114,8 +114,8 @@ impl<'a> Simulation<'a> {
             }),
         };
         let frames = (0..self.system.perception.eyes.len() as u8).map(|camera| Frames {
-            exposed: self.eyes.frames_exposed(zhuyi_core::CameraId(camera)),
-            processed: self.eyes.frames_processed(zhuyi_core::CameraId(camera)),
+            exposed: self.eyes.frames_exposed(CameraId(camera)),
+            processed: self.eyes.frames_processed(CameraId(camera)),
         });
         Run {
             outcome,
@@ -123,10 +123,20 @@ impl<'a> Simulation<'a> {
             trace: self.trace,
         }
     }
+}
 
-    /// The true state of the ego now.
-    pub fn ego(&self) -> &Body {
-        &self.world.scene().ego
+/// The name of a stream: by the names of camera and actor, not by their places in a list (reading R18).
+fn spelt(purpose: Purpose, scenario: &Scenario, system: &System) -> String {
+    let camera = |id: CameraId| &system.perception.eyes[id.index()].camera.name;
+    match purpose {
+        Purpose::Phase(id) => format!("phase of {}", camera(id)),
+        Purpose::Detection(id, actor) => {
+            format!(
+                "detections of {} by {}",
+                scenario.actors[actor.index()].name,
+                camera(id)
+            )
+        }
     }
 }
 

@@ -28,6 +28,8 @@ pub struct Mover {
     accel: f64,
     drive: Drive,
     lane_change: LaneChange,
+    /// [s] time spent moving: the clock of lane changes, so that a car that stops half-way stays there.
+    moving: f64,
     /// How many manoeuvres have begun.
     begun: usize,
 }
@@ -41,6 +43,7 @@ impl Mover {
             accel: 0.0,
             drive: Drive::Behave(actor.behaviour),
             lane_change: LaneChange::none(0.0, road.lane_center(actor.start.lane)),
+            moving: 0.0,
             begun: 0,
         }
     }
@@ -62,7 +65,7 @@ impl Mover {
             .filter(|m| due(m, me, scene, time))
         {
             self.begun += 1;
-            self.begin(next.then, road, time);
+            self.begin(next.then, road);
         }
         let wanted = match self.drive {
             Drive::Behave(behaviour) => behaviour_accel(behaviour, id, me, self.speed, scene),
@@ -72,12 +75,12 @@ impl Mover {
         self.accel = wanted.max(-self.speed / dt);
     }
 
-    fn begin(&mut self, action: Action, road: &Road, time: f64) {
+    fn begin(&mut self, action: Action, road: &Road) {
         match action {
             Action::ChangeLane { lane, duration } => {
-                let from = self.lane_change.at(time).d;
+                let from = self.lane_change.at(self.moving).d;
                 self.lane_change = LaneChange {
-                    start: time,
+                    start: self.moving,
                     duration,
                     from,
                     to: road.lane_center(lane),
@@ -89,26 +92,39 @@ impl Mover {
         }
     }
 
-    /// Moves on by `dt` seconds from `time`.
-    pub fn advance(&mut self, road: &Road, time: f64, dt: f64) {
-        self.s = self.s_after(road, time, dt);
+    /// Moves on by `dt` seconds.
+    pub fn advance(&mut self, road: &Road, dt: f64) {
+        self.s = self.s_after(road, dt);
+        self.moving = self.moving_after(dt);
         self.speed = (self.speed + self.accel * dt).max(0.0);
     }
 
-    /// [m] its centre `dt` seconds after `time`: the way along the lane, scaled to the reference line by the curvature and
-    /// offset half-way.
-    fn s_after(&self, road: &Road, time: f64, dt: f64) -> f64 {
-        let way = (self.speed + self.accel * dt / 2.0) * dt;
-        let curvature = road.curvature(self.s + way / 2.0);
-        self.s + way / (1.0 - curvature * self.lane_change.at(time + dt / 2.0).d)
+    /// [s] the clock of lane changes `dt` seconds on.
+    fn moving_after(&self, dt: f64) -> f64 {
+        if self.speed > 0.0 || self.accel > 0.0 {
+            self.moving + dt
+        } else {
+            self.moving
+        }
     }
 
-    /// The body `dt` seconds after `time`, within the current step.
-    pub fn body(&self, footprint: Footprint, road: &Road, time: f64, dt: f64) -> Body {
-        let s = self.s_after(road, time, dt);
-        let Lateral {
-            d, rate: d_rate, ..
-        } = self.lane_change.at(time + dt);
+    /// [m] its centre `dt` seconds on: the way along the lane, scaled to the reference line by the curvature and
+    /// offset half-way.
+    fn s_after(&self, road: &Road, dt: f64) -> f64 {
+        let way = (self.speed + self.accel * dt / 2.0) * dt;
+        let curvature = road.curvature(self.s + way / 2.0);
+        self.s + way / (1.0 - curvature * self.lane_change.at(self.moving_after(dt / 2.0)).d)
+    }
+
+    /// The body `dt` seconds on, within the current step.
+    pub fn body(&self, footprint: Footprint, road: &Road, dt: f64) -> Body {
+        let s = self.s_after(road, dt);
+        let Lateral { d, rate, .. } = self.lane_change.at(self.moving_after(dt));
+        let d_rate = if self.speed > 0.0 || self.accel > 0.0 {
+            rate
+        } else {
+            0.0
+        };
         let along = (self.speed + self.accel * dt).max(0.0);
         let at = road.world_from_road(Frenet { s, d });
         let turn = if d_rate == 0.0 {

@@ -66,7 +66,7 @@ impl<'a> World<'a> {
         let bodies = actors
             .iter()
             .zip(&movers)
-            .map(|(a, m)| m.body(a.footprint, road, 0.0, 0.0))
+            .map(|(a, m)| m.body(a.footprint, road, 0.0))
             .collect();
         let scene = Scene {
             time: SimTime::ZERO,
@@ -124,7 +124,7 @@ impl<'a> World<'a> {
         if dt > 0.0 {
             self.ego = self.ego_at(self.now);
             for mover in &mut self.movers {
-                mover.advance(self.road, self.before.seconds(), dt);
+                mover.advance(self.road, dt);
             }
         }
         self.before = self.now;
@@ -136,13 +136,13 @@ impl<'a> World<'a> {
     }
 
     fn fill(&self, time: SimTime, bodies: &mut Vec<zhuyi_core::Body>) {
-        let (start, dt) = (self.before.seconds(), (time - self.before).seconds());
+        let dt = (time - self.before).seconds();
         bodies.clear();
         bodies.extend(
             self.actors
                 .iter()
                 .zip(&self.movers)
-                .map(|(a, m)| m.body(a.footprint, self.road, start, dt)),
+                .map(|(a, m)| m.body(a.footprint, self.road, dt)),
         );
     }
 

@@ -412,3 +412,35 @@ fn law_the_scene_within_a_step_joins_its_ends() {
         assert_eq!(scene, after);
     }
 }
+
+#[test]
+fn hand_a_car_that_stops_in_a_lane_change_stays_where_it_is() {
+    // 8 m/s at 8 m/s2: stands after 1 s of a change that takes 6 s.
+    let script = vec![
+        at(
+            Trigger::Time(0.0),
+            Action::ChangeLane {
+                lane: Lane(3),
+                duration: 6.0,
+            },
+        ),
+        at(Trigger::Time(0.0), Action::Brake { decel: 8.0 }),
+    ];
+    let actors = [actor(2, Place::Ahead(30.0), 8.0, Behaviour::Cruise, script)];
+    let mut stopped = None;
+    drive(
+        &road(0.0),
+        &actors,
+        1.0,
+        |_| 0.0,
+        4.0,
+        |scene| {
+            let body = &scene.actors[0];
+            if scene.time.seconds() > 1.02 {
+                assert_eq!((body.speed, body.d_rate), (0.0, 0.0));
+                assert_eq!(*stopped.get_or_insert(body.road.d), body.road.d);
+            }
+        },
+    );
+    assert!(stopped.expect("it stops") < 0.2);
+}

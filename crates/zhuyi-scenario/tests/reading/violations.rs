@@ -429,7 +429,7 @@ fn hand_systems() {
             (
                 "estimator: ()",
                 "estimator: (current_latency: Fixed(latency_ms: 0))",
-                "23:55 `latency_ms` must be 0.1 to 10000, got 0",
+                "23:52 `latency_ms` must be 0.1 to 10000, got 0",
             ),
             (
                 "estimator: ()",
