@@ -70,7 +70,8 @@ pub fn examine(plan: &Plan, table: &Table, reruns: &Reruns) -> Vec<Claim> {
 /// `claims.md`.
 pub fn markdown(plan: &Plan, claims: &[Claim]) -> String {
     let mut text = format!(
-        "# Claims 1 to 4\n\nWritten by `zhuyi reproduce`: {}.\n",
+        "# Claims 1 to 4\n\nWritten by `{}`: {}.\n",
+        plan.command(),
         plan.spelt()
     );
     for Claim {
@@ -83,7 +84,8 @@ pub fn markdown(plan: &Plan, claims: &[Claim]) -> String {
     {
         let _ = write!(
             text,
-            "\n## {number}. {title}: {verdict}\n\n{figures}. Command: `zhuyi reproduce`.\n\n{details}"
+            "\n## {number}. {title}: {verdict}\n\n{figures}. Command: `{}`.\n\n{details}",
+            plan.command()
         );
     }
     text

@@ -17,7 +17,7 @@ const COMPUTING: &str = "zhuyi-sim";
 struct Manifest<'a> {
     program: &'static str,
     version: &'static str,
-    command: &'static str,
+    command: String,
     root_seed: u64,
     seeds: u64,
     rates_hz: &'a [u32],
@@ -48,7 +48,7 @@ pub fn json(plan: &Plan) -> String {
     let manifest = Manifest {
         program: "zhuyi",
         version: env!("CARGO_PKG_VERSION"),
-        command: "zhuyi reproduce",
+        command: plan.command(),
         root_seed: plan.root_seed,
         seeds: plan.seeds,
         rates_hz: &plan.rates,

@@ -9,6 +9,18 @@ pub enum Mrf {
     Rate(u32),
     /// Even the highest tested rate collides: more than that.
     Above(u32),
+    /// No tested rate collides, and the lowest of them, this one, is not 1: that or less.
+    AtMost(u32),
+}
+
+impl Mrf {
+    /// The lowest tested rate from which on nothing collides.
+    pub fn safe_from(self) -> Option<u32> {
+        match self {
+            Self::Rate(rate) | Self::AtMost(rate) => Some(rate),
+            Self::Above(_) => None,
+        }
+    }
 }
 
 impl fmt::Display for Mrf {
@@ -16,6 +28,7 @@ impl fmt::Display for Mrf {
         match self {
             Self::Rate(rate) => rate.fmt(f),
             Self::Above(rate) => write!(f, ">{rate}"),
+            Self::AtMost(rate) => write!(f, "<={rate}"),
         }
     }
 }
@@ -38,6 +51,7 @@ pub struct Required {
 /// assert_eq!(found.safe_below, [2]);
 /// assert_eq!(required(&[(1, 10), (30, 1)]).mrf, Mrf::Above(30));
 /// assert_eq!(required(&[(1, 0), (2, 0)]).mrf, Mrf::Rate(1));
+/// assert_eq!(required(&[(4, 0), (5, 0)]).mrf, Mrf::AtMost(4));
 /// ```
 ///
 /// # Panics
@@ -49,6 +63,7 @@ pub fn required(collisions: &[(u32, u32)]) -> Required {
         .rposition(|(_, count)| *count > 0)
         .map_or(0, |last| last + 1);
     let mrf = match collisions.get(safe_from) {
+        Some((rate, _)) if safe_from == 0 && *rate > 1 => Mrf::AtMost(*rate),
         Some((rate, _)) => Mrf::Rate(*rate),
         None => Mrf::Above(collisions[collisions.len() - 1].0),
     };

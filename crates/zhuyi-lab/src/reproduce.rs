@@ -120,6 +120,19 @@ impl Plan {
         assert!(self.seeds > 0, "at least one seed");
     }
 
+    /// The command that makes its files from the scenarios and system that come with the program.
+    pub(crate) fn command(&self) -> String {
+        let mut command = "zhuyi reproduce".to_string();
+        if !self.rates.iter().copied().eq(1..=30) {
+            let rates: Vec<_> = self.rates.iter().map(u32::to_string).collect();
+            command += &format!(" --fpr {}", rates.join(","));
+        }
+        if self.seeds != 10 {
+            command += &format!(" --seeds {}", self.seeds);
+        }
+        command
+    }
+
     /// How it is told in the files: `rates 1 to 30, 10 seeds, root seed 0`.
     pub(crate) fn spelt(&self) -> String {
         let Self {

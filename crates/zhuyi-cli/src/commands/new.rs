@@ -21,7 +21,7 @@ use crate::shell;
 #[command(after_help = "\
 Examples:
   zhuyi new                                my-scenario.ron, explained line by line
-  zhuyi new roundabout -o try/roundabout.ron
+  zhuyi new two-lanes -o my-two-lanes.ron
   zhuyi new my-cut-in --from cut-in        a copy of a built-in scenario
   zhuyi new my-car --from default          a copy of the built-in system, with the car and cameras")]
 pub struct Arguments {

@@ -23,7 +23,7 @@ struct Cell<'a> {
 impl Cell<'_> {
     /// Whether there is a lower estimate than its own that would be below the MRF: not at an MRF of 1.
     fn can_fail(&self) -> bool {
-        self.row.required.mrf != Mrf::Rate(1)
+        !matches!(self.row.required.mrf, Mrf::Rate(1) | Mrf::AtMost(_))
     }
 
     /// [FPR] how far the estimate is above the MRF, where that can fail.
@@ -38,6 +38,7 @@ impl Cell<'_> {
         match self.row.required.mrf {
             Mrf::Rate(rate) => estimate >= f64::from(rate),
             Mrf::Above(_) => false,
+            Mrf::AtMost(_) => true,
         }
     }
 }

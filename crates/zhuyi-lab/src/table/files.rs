@@ -79,7 +79,8 @@ pub fn csv(table: &Table) -> String {
 pub fn markdown(plan: &Plan, table: &Table) -> String {
     let mut text = format!(
         "# Table 1, ours beside the paper's\n\n\
-         Written by `zhuyi reproduce`: {}.\n\n",
+         Written by `{}`: {}.\n\n",
+        plan.command(),
         plan.spelt()
     );
     text += &beside(table);
