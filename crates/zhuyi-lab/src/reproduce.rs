@@ -122,15 +122,18 @@ impl Plan {
 
     /// The command that makes its files from the scenarios and system that come with the program.
     pub(crate) fn command(&self) -> String {
-        let mut command = "zhuyi reproduce".to_string();
-        if !self.rates.iter().copied().eq(1..=30) {
-            let rates: Vec<_> = self.rates.iter().map(u32::to_string).collect();
-            command += &format!(" --fpr {}", rates.join(","));
-        }
-        if self.seeds != 10 {
-            command += &format!(" --seeds {}", self.seeds);
-        }
-        command
+        let rates: Vec<_> = self.rates.iter().map(u32::to_string).collect();
+        let fpr = if self.rates.iter().copied().eq(1..=30) {
+            String::new()
+        } else {
+            format!(" --fpr {}", rates.join(","))
+        };
+        let seeds = if self.seeds == 10 {
+            String::new()
+        } else {
+            format!(" --seeds {}", self.seeds)
+        };
+        format!("zhuyi reproduce{fpr}{seeds}")
     }
 
     /// How it is told in the files: `rates 1 to 30, 10 seeds, root seed 0`.

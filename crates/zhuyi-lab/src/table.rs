@@ -167,9 +167,7 @@ impl Estimates {
 
 /// [FPR] over the runs at rates from the MRF on, none of which has collided.
 fn largest_sum(required: &Required, records: &[Record]) -> Option<f64> {
-    let Some(least) = required.mrf.safe_from() else {
-        return None;
-    };
+    let least = required.mrf.safe_from()?;
     let mut largest = None;
     for record in records
         .iter()
