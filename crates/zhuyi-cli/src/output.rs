@@ -27,7 +27,7 @@ enum Way {
 }
 
 impl Output {
-    /// Proves that a file can be written here; what stands here stays as it is for now.
+    /// Proves that a file can be written here; what stands here stays as it is.
     pub fn reserve(path: &Path, problems: &mut Problems) -> Option<Self> {
         let refused = |source| Problem::Write {
             path: path.to_path_buf(),

@@ -20,8 +20,9 @@
 //!
 //! Source: Bar-Shalom, Li, Kirubarajan, *Estimation with Applications to Tracking and Navigation*, 2001, 6.3.3 (discrete
 //! Wiener process acceleration); Joseph's form of the update, 3.4.2. A driver who begins to brake makes a step, not a
-//! ramp: under white jerk (6.2.3) the estimate after a step overshoots by half at 1 Hz and then swings. The two errors of a measurement are independent, so its entries may be
-//! taken one after the other and nothing has to be inverted. Leaves out any coupling between along and across.
+//! ramp: under white jerk (6.2.3) the estimate after a step overshoots by half at 1 Hz and then swings. The two errors
+//! of a measurement are independent, so its entries may be taken one after the other and nothing has to be inverted.
+//! Leaves out any coupling between along and across.
 
 use nalgebra::{Matrix3, Vector3};
 
