@@ -16,8 +16,9 @@
 //! A list may flicker without end, so spans are derived one after the other and never collected; a few are kept
 //! because every candidate latency walks over them again.
 
-use crate::ego_motion::EgoMotion;
+use crate::ego_motion::Start;
 use crate::recording::View;
+use crate::{Ego, Params};
 use zhuyi_core::Footprint;
 
 /// What a stretch of time means for the constraints.
@@ -47,35 +48,30 @@ pub(crate) struct Span {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Corridor<'a> {
     pub view: View<'a>,
-    pub held: EgoMotion,
+    /// The ego, whose acceleration is held.
+    pub held: Start,
     /// [m] `s` and `d` of the ego's centre at t_0.
     pub ego: (f64, f64),
-    /// [m] half of both lengths, half of both widths.
-    pub half: (f64, f64),
-    pub lateral_margin: f64,
+    /// [m] half of both lengths.
+    pub reach: f64,
+    /// [m] offset below which the bodies overlap sideways: half of both widths.
+    pub body: f64,
+    /// [m] offset below which the actor is in the corridor.
+    pub lane: f64,
     pub horizon: f64,
 }
 
 impl<'a> Corridor<'a> {
-    pub fn new(
-        view: View<'a>,
-        held: EgoMotion,
-        ego: (f64, f64),
-        boxes: (Footprint, Footprint),
-        lateral_margin: f64,
-        horizon: f64,
-    ) -> Self {
-        let half = (
-            f64::midpoint(boxes.0.length, boxes.1.length),
-            f64::midpoint(boxes.0.width, boxes.1.width),
-        );
+    pub fn new(params: &Params, ego: &Ego, actor: Footprint, view: View<'a>) -> Self {
+        let body = f64::midpoint(ego.footprint.width, actor.width);
         Self {
             view,
-            held,
-            ego,
-            half,
-            lateral_margin,
-            horizon,
+            held: Start::new(ego.speed, ego.accel),
+            ego: (ego.s, ego.d),
+            reach: f64::midpoint(ego.footprint.length, actor.length),
+            body,
+            lane: body + params.lateral_margin,
+            horizon: params.horizon,
         }
     }
 
@@ -95,10 +91,9 @@ enum Side {
     Overlap,
 }
 
-/// Walks over the spans of a corridor.
-#[derive(Clone, Debug)]
-struct Walk<'a> {
-    corridor: Corridor<'a>,
+/// A walk over the spans of a corridor.
+#[derive(Clone, Copy, Debug)]
+struct Walk {
     time: f64,
     index: usize,
     /// The stay under way: whether it counts.
@@ -107,13 +102,11 @@ struct Walk<'a> {
     pending: Option<Span>,
 }
 
-impl<'a> Walk<'a> {
-    fn new(corridor: Corridor<'a>) -> Self {
-        let index = corridor.view.future.across_index(0.0);
+impl Walk {
+    fn new(corridor: &Corridor<'_>) -> Self {
         Self {
-            corridor,
             time: 0.0,
-            index,
+            index: corridor.view.future.across_index(0.0),
             stay: None,
             conflict_seen: false,
             pending: None,
@@ -121,21 +114,14 @@ impl<'a> Walk<'a> {
     }
 
     /// The relation just after the current time, until when it surely lasts, and the piece that follows then.
-    fn side(&self) -> (Side, f64, usize) {
-        let Corridor {
-            view,
-            ego,
-            half,
-            lateral_margin,
-            horizon,
-            ..
-        } = &self.corridor;
-        let (body, lane) = (half.1, half.1 + lateral_margin);
+    fn side(&self, corridor: &Corridor<'_>) -> (Side, f64, usize) {
+        let (view, horizon) = (&corridor.view, corridor.horizon);
+        let (body, lane) = (corridor.body, corridor.lane);
         if let Some((block, next)) = view.across_block(self.index, self.time) {
             let (right, left, end) = (
-                block.d_min - ego.1,
-                block.d_max - ego.1,
-                (block.end - view.future.now).min(*horizon),
+                block.d_min - corridor.ego.1,
+                block.d_max - corridor.ego.1,
+                (block.end - view.future.now).min(horizon),
             );
             if right >= lane || left <= -lane {
                 return (Side::Apart, end, next);
@@ -147,8 +133,8 @@ impl<'a> Walk<'a> {
         let (piece, now) = (&view.future.across[self.index], view.future.now);
         let begin = piece.time - now;
         let next = view.future.across.get(self.index + 1);
-        let end = next.map_or(*horizon, |next| (next.time - now).min(*horizon));
-        let offset = |time: f64| piece.d - ego.1 + (time - begin) * piece.d_rate;
+        let end = next.map_or(horizon, |next| (next.time - now).min(horizon));
+        let offset = |time: f64| piece.d - corridor.ego.1 + (time - begin) * piece.d_rate;
         let (here, there) = (offset(self.time), offset(end));
         let following = if next.is_some() {
             self.index + 1
@@ -162,15 +148,12 @@ impl<'a> Walk<'a> {
             return (Side::Overlap, end, following);
         }
         if piece.d_rate == 0.0 || here == there {
-            return (
-                if here.abs() < lane {
-                    Side::Close
-                } else {
-                    Side::Apart
-                },
-                end,
-                following,
-            );
+            let side = if here.abs() < lane {
+                Side::Close
+            } else {
+                Side::Apart
+            };
+            return (side, end, following);
         }
         // Seen in the direction of its motion, the actor crosses these four lines one after the other.
         let lines = [
@@ -193,24 +176,24 @@ impl<'a> Walk<'a> {
     }
 
     /// The next stretch of one relation within one piece or block.
-    fn step(&mut self) -> Option<Span> {
-        while self.time < self.corridor.horizon {
-            let (start, (side, end, next)) = (self.time, self.side());
+    fn step(&mut self, corridor: &Corridor<'_>) -> Option<Span> {
+        while self.time < corridor.horizon {
+            let (start, (side, end, next)) = (self.time, self.side(corridor));
             self.index = next;
             if end > start {
                 self.time = end;
-                return Some(self.judge(start, end, side));
+                return Some(self.judge(corridor, start, end, side));
             }
         }
         None
     }
 
-    fn judge(&mut self, start: f64, end: f64, side: Side) -> Span {
+    fn judge(&mut self, corridor: &Corridor<'_>, start: f64, end: f64, side: Side) -> Span {
         let mut abreast = false;
         if side == Side::Apart {
             self.stay = None;
         } else if self.stay.is_none() {
-            let (ahead, reach) = (self.corridor.ahead(start), self.corridor.half.0);
+            let (ahead, reach) = (corridor.ahead(start), corridor.reach);
             let counts = ahead >= -reach;
             abreast = counts && ahead < reach;
             self.conflict_seen |= counts;
@@ -229,14 +212,11 @@ impl<'a> Walk<'a> {
             abreast,
         }
     }
-}
 
-impl Iterator for Walk<'_> {
-    type Item = Span;
-
-    fn next(&mut self) -> Option<Span> {
-        let mut span = self.pending.take().or_else(|| self.step())?;
-        while let Some(next) = self.step() {
+    /// The next span.
+    fn next(&mut self, corridor: &Corridor<'_>) -> Option<Span> {
+        let mut span = self.pending.take().or_else(|| self.step(corridor))?;
+        while let Some(next) = self.step(corridor) {
             if next.zone != span.zone {
                 self.pending = Some(next);
                 break;
@@ -247,54 +227,46 @@ impl Iterator for Walk<'_> {
     }
 }
 
-const KEPT: usize = 8;
+/// Most futures have no more spans than this.
+const KEPT: usize = 5;
 
 /// The spans of [0, horizon], from the first to the last: the first few as found, the rest derived again on each
 /// pass.
 #[derive(Clone, Debug)]
-pub(crate) struct Spans<'a> {
+pub(crate) struct Spans {
     first: [Span; KEPT],
     len: usize,
-    rest: Option<Walk<'a>>,
+    rest: Option<Walk>,
 }
 
-impl<'a> Spans<'a> {
-    pub fn new(corridor: Corridor<'a>) -> Self {
+impl Spans {
+    /// `None` where there is no conflict time.
+    pub fn new(corridor: &Corridor<'_>) -> Option<Self> {
         let mut walk = Walk::new(corridor);
-        let mut first = [Span {
-            start: 0.0,
-            end: 0.0,
-            zone: Zone::Before,
-            abreast: false,
-        }; KEPT];
-        let mut len = 0;
-        while len < KEPT {
-            let Some(span) = walk.next() else {
-                return Self {
-                    first,
-                    len,
-                    rest: None,
-                };
-            };
-            first[len] = span;
-            len += 1;
+        let span = walk.next(corridor)?;
+        // What comes before the first conflict is one span, so a future without conflict has no second one.
+        if span.zone == Zone::Before && walk.pending.is_none() {
+            return None;
         }
-        Self {
-            first,
-            len,
-            rest: Some(walk),
+        let mut spans = Self {
+            first: [span; KEPT],
+            len: 1,
+            rest: None,
+        };
+        while let Some(next) = walk.next(corridor) {
+            spans.first[spans.len] = next;
+            spans.len += 1;
+            if spans.len == KEPT {
+                spans.rest = Some(walk);
+                break;
+            }
         }
+        Some(spans)
     }
 
-    pub fn iter(&self) -> impl Iterator<Item = Span> {
-        self.first[..self.len]
-            .iter()
-            .copied()
-            .chain(self.rest.iter().cloned().flatten())
-    }
-
-    /// Whether there is any conflict time.
-    pub fn any(&self) -> bool {
-        self.iter().any(|span| span.zone != Zone::Before)
+    pub fn iter<'a>(&'a self, corridor: &'a Corridor<'_>) -> impl Iterator<Item = Span> + 'a {
+        let mut rest = self.rest;
+        let more = std::iter::from_fn(move || rest.as_mut()?.next(corridor));
+        self.first[..self.len].iter().copied().chain(more)
     }
 }

@@ -67,6 +67,16 @@ impl Start {
             }
         }
     }
+
+    /// [m] distance covered by `time` if the acceleration is held, until the ego stands.
+    pub(crate) fn distance(&self, time: f64) -> f64 {
+        let time = if self.accel < 0.0 {
+            time.min(self.speed / -self.accel)
+        } else {
+            time
+        };
+        time * (self.speed + time * (self.accel / 2.0))
+    }
 }
 
 /// A stretch of constant acceleration, up to the next one.
@@ -120,43 +130,42 @@ impl EgoMotion {
             speed: start.speed,
             accel: start.accel,
         };
-        let stop = if start.accel < 0.0 {
-            start.speed / -start.accel
-        } else {
-            f64::INFINITY
+        let at = |time: f64, speed: f64, accel: f64| Phase {
+            start: time,
+            distance: hold.distance_at(time),
+            speed,
+            accel,
         };
-        let brake = if stop <= reaction_time {
-            Phase {
-                start: stop,
-                distance: hold.distance_at(stop),
+        if start.accel < 0.0 {
+            let stop = start.speed / -start.accel;
+            if stop <= reaction_time {
+                let wait = at(stop, 0.0, 0.0);
+                let stand = Phase {
+                    start: reaction_time,
+                    ..wait
+                };
+                return Self {
+                    phases: [hold, wait, stand],
+                };
+            }
+        }
+        let speed = hold.speed_at(reaction_time);
+        if speed > 0.0 {
+            let brake = at(reaction_time, speed, -decel);
+            let braking_time = speed / decel;
+            let stand = Phase {
+                start: reaction_time + braking_time,
+                distance: brake.distance + speed * braking_time / 2.0,
                 speed: 0.0,
                 accel: 0.0,
-            }
-        } else {
-            let (distance, speed) = (
-                hold.distance_at(reaction_time),
-                hold.speed_at(reaction_time).max(0.0),
-            );
-            Phase {
-                start: reaction_time,
-                distance,
-                speed,
-                accel: if speed > 0.0 { -decel } else { 0.0 },
-            }
-        };
-        let braking_time = if brake.speed > 0.0 {
-            brake.speed / decel
-        } else {
-            0.0
-        };
-        let stand = Phase {
-            start: brake.start + braking_time,
-            distance: brake.distance + brake.speed * braking_time / 2.0,
-            speed: 0.0,
-            accel: 0.0,
-        };
+            };
+            return Self {
+                phases: [hold, brake, stand],
+            };
+        }
+        let stand = at(reaction_time, 0.0, 0.0);
         Self {
-            phases: [hold, brake, stand],
+            phases: [hold, stand, stand],
         }
     }
 
@@ -192,7 +201,12 @@ impl EgoMotion {
 
     /// [s] when it comes to stand; infinite if it never does.
     pub fn stands_from(&self) -> f64 {
-        self.phases[2].start
+        let [_, brake, stand] = &self.phases;
+        if brake.speed > 0.0 {
+            stand.start
+        } else {
+            brake.start
+        }
     }
 
     /// The three phases, each with the time at which it ends.

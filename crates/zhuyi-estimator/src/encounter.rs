@@ -1,15 +1,14 @@
 //! One ego and one future of one actor: what every candidate latency shares, and the walk along it in time.
 //!
 //! "No collision during t_n" is read as no pass-through (reading R6): `d(t) <= s(t)` at every conflict time in [0,
-//! t_n] at which the bodies overlap sideways. While a_0 is held the ego's motion is the same for every latency, so
-//! contact before t_r is looked for once, up to the longest reaction.
+//! t_n] at which the bodies overlap sideways.
 
 use crate::conflict::{Corridor, Span, Spans, Zone};
-use crate::ego_motion::{EgoMotion, Phase, Start, braking_decel};
-use crate::recording::{ALONG_BLOCKS, View};
+use crate::ego_motion::{EgoMotion, Phase, braking_decel};
+use crate::recording::{ALONG_BLOCKS, AlongBlock, View};
 use crate::stretch::{Datum, Margins, Outline, Stretch};
 use crate::{Ego, Params};
-use zhuyi_core::Footprint;
+use zhuyi_core::{Along, Footprint};
 
 /// Pieces in the finest blocks.
 const FINEST: usize = ALONG_BLOCKS[ALONG_BLOCKS.len() - 1];
@@ -17,92 +16,66 @@ const FINEST: usize = ALONG_BLOCKS[ALONG_BLOCKS.len() - 1];
 /// One ego before one future of one actor.
 #[derive(Clone, Debug)]
 pub(crate) struct Encounter<'a> {
-    pub start: Start,
-    pub decel: f64,
-    pub horizon: f64,
+    pub corridor: Corridor<'a>,
     pub margins: Margins,
-    pub spans: Spans<'a>,
-    view: View<'a>,
+    spans: Spans,
+    decel: f64,
     datum: Datum,
-    held_contact: Option<f64>,
 }
 
 impl<'a> Encounter<'a> {
-    /// `None` where there is no conflict time; contact while holding is looked for up to `longest_reaction`.
-    pub fn new(
-        params: &Params,
-        ego: &Ego,
-        actor: Footprint,
-        view: View<'a>,
-        longest_reaction: f64,
-    ) -> Option<Self> {
+    /// `None` where there is no conflict time.
+    #[inline]
+    pub fn new(params: &Params, ego: &Ego, actor: Footprint, view: View<'a>) -> Option<Self> {
         if view.future.along.is_empty() || view.future.across.is_empty() {
             return None;
         }
-        let start = Start::new(ego.speed, ego.accel);
-        let held = EgoMotion::held(start);
-        let boxes = (ego.footprint, actor);
-        let corridor = Corridor::new(
-            view,
-            held,
-            (ego.s, ego.d),
-            boxes,
-            params.lateral_margin,
-            params.horizon,
-        );
-        let spans = Spans::new(corridor);
-        if !spans.any() {
-            return None;
-        }
-        let mut encounter = Self {
-            start,
-            decel: braking_decel(start.accel, params.c3, params.c4),
-            horizon: params.horizon,
+        let corridor = Corridor::new(params, ego, actor, view);
+        Some(Self {
+            spans: Spans::new(&corridor)?,
             margins: Margins {
                 c1: params.c1,
                 c2: params.c2,
             },
-            spans,
-            view,
+            decel: braking_decel(corridor.held.accel, params.c3, params.c4),
             datum: Datum {
                 now: view.future.now,
-                origin: ego.s + corridor.half.0,
+                origin: ego.s + corridor.reach,
             },
-            held_contact: None,
-        };
-        encounter.held_contact =
-            encounter.first_contact(&held, 0.0, longest_reaction.min(params.horizon));
-        Some(encounter)
+            corridor,
+        })
     }
 
-    /// The ego's motion at a reaction time; `None` when it touches the actor before it reacts.
-    pub fn reaction(&self, reaction_time: f64) -> Option<EgoMotion> {
-        let touches = self
-            .held_contact
-            .is_some_and(|contact| contact < reaction_time);
-        (!touches).then(|| self.motion(reaction_time))
-    }
-
-    /// The same, whatever it touches.
+    /// The ego's motion at a reaction time.
     pub fn motion(&self, reaction_time: f64) -> EgoMotion {
-        EgoMotion::new(self.start, reaction_time, self.decel)
+        EgoMotion::new(self.corridor.held, reaction_time, self.decel)
+    }
+
+    /// The zones of [0, horizon], in order.
+    pub fn spans(&self) -> impl Iterator<Item = Span> {
+        self.spans.iter(&self.corridor)
+    }
+
+    /// [m/s2] a_b.
+    pub fn decel(&self) -> f64 {
+        self.decel
     }
 
     /// Whether any kept stay of the actor in the corridor begins with the bodies overlapping lengthwise (reading
     /// R8).
     pub fn abreast(&self) -> bool {
-        self.spans.iter().any(|span| span.abreast)
+        self.spans().any(|span| span.abreast)
     }
 
     /// Whether braking is at least as hard as what the ego does anyway, so that to react earlier is never worse.
     pub fn earlier_is_better(&self) -> bool {
-        self.decel >= -self.start.accel
+        self.decel >= -self.corridor.held.accel
     }
 
     /// The first time in [from, to] at which the ego's front passes the actor's rear while the bodies overlap
     /// sideways.
     pub fn first_contact(&self, motion: &EgoMotion, from: f64, to: f64) -> Option<f64> {
-        for span in self.spans.iter() {
+        for span in self.spans() {
             if span.start > to {
                 break;
             }
@@ -119,14 +92,13 @@ impl<'a> Encounter<'a> {
 
     /// Gap s and the actor's speed v_a at a time.
     pub fn actor(&self, time: f64) -> (f64, f64) {
-        let future = &self.view.future;
+        let future = &self.corridor.view.future;
         let (piece, at) = (&future.along[future.along_index(time)], time + future.now);
         (piece.s_at(at) - self.datum.origin, piece.v_at(at))
     }
 
     /// Visits the stretches of [from, to] in order until `visit` finds something; passes over what `skip` says
     /// cannot matter.
-    #[inline]
     pub fn walk<T>(
         &self,
         motion: &EgoMotion,
@@ -135,84 +107,191 @@ impl<'a> Encounter<'a> {
         skip: impl Fn(&Outline) -> bool,
         visit: impl Fn(&Stretch) -> Option<T>,
     ) -> Option<T> {
-        let future = &self.view.future;
-        let mut index = future.along_index(from);
-        if from >= to {
-            return visit(&self.stretch(index, motion.phase(from), from, from));
-        }
-        let mut time = from;
-        for (phase, phase_end) in motion.phases() {
-            let until = phase_end.min(to);
-            // Before this piece no block is to be tried again.
-            let mut tried = 0;
-            while time < until {
-                if index >= tried {
-                    if let Some((end, next)) = self.pass_over(index, phase, (time, until), &skip) {
-                        (time, index) = (end, next);
-                        continue;
-                    }
-                    tried = (index / FINEST + 1) * FINEST;
-                }
-                let piece_end = future
-                    .along
-                    .get(index + 1)
-                    .map_or(f64::INFINITY, |next| next.time - future.now);
-                let end = piece_end.min(until);
-                if end > time {
-                    if let Some(found) = visit(&self.stretch(index, phase, time, end)) {
-                        return Some(found);
-                    }
-                    time = end;
-                }
-                if piece_end <= until {
-                    index += 1;
-                }
-            }
-        }
-        None
+        let mut walk = Walk {
+            encounter: self,
+            motion,
+            skip,
+            visit,
+        };
+        self.visit(from, to, &mut walk)
     }
 
-    /// Where the search may go on if all that is left of a block in [start, until] cannot matter: a time and a
-    /// piece.
+    /// Takes a visitor along the pieces of [from, to] in order until it finds something.
+    #[inline]
+    pub fn visit<V: Visitor>(&self, from: f64, to: f64, visitor: &mut V) -> Option<V::Found> {
+        let future = &self.corridor.view.future;
+        let (mut time, mut index) = (from, future.along_index(from));
+        // Before this piece no block is to be tried again.
+        let mut tried = 0;
+        loop {
+            if index >= tried {
+                if let Some((end, behind)) = self.pass_over(index, time, to, visitor) {
+                    if end >= to {
+                        return None;
+                    }
+                    (time, index) = (end, behind);
+                    continue;
+                }
+                tried = (index / FINEST + 1) * FINEST;
+            }
+            let next = future.along.get(index + 1);
+            let end = next.map_or(f64::INFINITY, |next| next.time - future.now);
+            if end > time || time >= to {
+                let cell = Cell {
+                    start: time,
+                    end: end.min(to),
+                    piece: &future.along[index],
+                };
+                if let Some(found) = visitor.visit(&cell) {
+                    return Some(found);
+                }
+                if end >= to {
+                    return None;
+                }
+                time = end;
+            }
+            index += 1;
+        }
+    }
+
+    /// The end of a block of which nothing matters from `start` on, and the piece behind it.
     #[inline]
     fn pass_over(
         &self,
         index: usize,
-        phase: &Phase,
-        (start, until): (f64, f64),
-        skip: impl Fn(&Outline) -> bool,
+        start: f64,
+        to: f64,
+        visitor: &impl Visitor,
     ) -> Option<(f64, usize)> {
         let now = self.datum.now;
-        for (blocks, size) in self.view.along.iter().zip(ALONG_BLOCKS) {
+        for (blocks, size) in self.corridor.view.along.iter().zip(ALONG_BLOCKS) {
             let Some(block) = blocks.get(index / size) else {
                 continue;
             };
             // Before the list begins its first piece is extended backwards, the block is not.
             let begun = block.fit.time <= start + now;
-            let end = (block.end - now).min(until);
-            if begun && skip(&Outline::new(start, end, block, self.datum, phase)) {
-                let behind = (index / size + 1) * size;
-                let next = if end < until {
-                    behind
-                } else {
-                    self.view.future.along_index(end)
-                };
-                return Some((end, next));
+            let cell = Cell {
+                start,
+                end: (block.end - now).min(to),
+                piece: block,
+            };
+            if begun && visitor.passes_over(&cell) {
+                return Some((block.end - now, (index / size + 1) * size));
             }
         }
         None
     }
 
+    /// A part of a cell in one phase of the ego.
     #[inline]
-    fn stretch(&self, index: usize, phase: &Phase, start: f64, end: f64) -> Stretch {
-        Stretch::new(
-            start,
-            end,
-            &self.view.future.along[index],
-            self.datum,
-            phase,
-        )
+    pub fn stretch(&self, cell: &Cell<'_, Along>, phase: &Phase, start: f64, end: f64) -> Stretch {
+        Stretch::new(start, end, cell.piece, self.datum, phase)
     }
+
+    /// What the ends of a cell tell of the actor on all of it.
+    #[inline]
+    pub fn bounds(&self, cell: &Cell<'_, Along>) -> Bounds {
+        let (piece, now) = (cell.piece, self.datum.now);
+        let length = cell.end - cell.start;
+        let at = |time: f64| {
+            (
+                piece.s_at(time + now) - self.datum.origin,
+                piece.v_at(time + now),
+            )
+        };
+        let ((s, v), (next_s, next_v)) = (at(cell.start), at(cell.end));
+        // How far a parabola strays from its chord at most.
+        let bulge = piece.s_half_accel.abs() * length * length / 4.0;
+        let (low, high) = if s < next_s { (s, next_s) } else { (next_s, s) };
+        let fastest = if v > next_v { v } else { next_v };
+        Bounds {
+            nearest: low - bulge,
+            furthest: high + bulge,
+            fastest: if fastest > 0.0 { fastest } else { 0.0 },
+        }
+    }
+
+    /// A part of a block in one phase of the ego.
+    #[inline]
+    pub fn outline(
+        &self,
+        cell: &Cell<'_, AlongBlock>,
+        phase: &Phase,
+        start: f64,
+        end: f64,
+    ) -> Outline {
+        Outline::new(start, end, cell.piece, self.datum, phase)
+    }
+}
+
+/// Who is taken along the pieces of a future.
+pub(crate) trait Visitor {
+    /// What ends the visit.
+    type Found;
+
+    /// Whether nothing on this block can matter.
+    fn passes_over(&self, block: &Cell<'_, AlongBlock>) -> bool;
+
+    /// Looks at a piece.
+    fn visit(&mut self, cell: &Cell<'_, Along>) -> Option<Self::Found>;
+}
+
+/// A visitor with one motion of the ego, who looks at each stretch.
+struct Walk<'e, 'a, S, V> {
+    encounter: &'e Encounter<'a>,
+    motion: &'e EgoMotion,
+    skip: S,
+    visit: V,
+}
+
+impl<T, S, V> Visitor for Walk<'_, '_, S, V>
+where
+    S: Fn(&Outline) -> bool,
+    V: Fn(&Stretch) -> Option<T>,
+{
+    type Found = T;
+
+    fn passes_over(&self, block: &Cell<'_, AlongBlock>) -> bool {
+        parts(self.motion, block.start, block.end)
+            .all(|(phase, a, b)| (self.skip)(&self.encounter.outline(block, phase, a, b)))
+    }
+
+    fn visit(&mut self, cell: &Cell<'_, Along>) -> Option<T> {
+        parts(self.motion, cell.start, cell.end)
+            .find_map(|(phase, a, b)| (self.visit)(&self.encounter.stretch(cell, phase, a, b)))
+    }
+}
+
+/// Bounds of an actor's motion on a cell.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bounds {
+    /// [m] least gap s.
+    pub nearest: f64,
+    /// [m] largest gap s.
+    pub furthest: f64,
+    /// [m/s] largest speed, at least zero.
+    pub fastest: f64,
+}
+
+/// A time in which the actor keeps to one piece, or to one block.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cell<'a, P> {
+    pub start: f64,
+    pub end: f64,
+    pub piece: &'a P,
+}
+
+/// The parts of [from, to] in which the ego keeps to one phase, in order.
+#[inline]
+pub(crate) fn parts(
+    motion: &EgoMotion,
+    from: f64,
+    to: f64,
+) -> impl Iterator<Item = (&Phase, f64, f64)> {
+    motion.phases().into_iter().filter_map(move |(phase, end)| {
+        let (a, b) = (phase.start.max(from), end.min(to));
+        (a <= b).then_some((phase, a, b))
+    })
 }
 
 /// The part of a span within [from, to].

@@ -3,7 +3,7 @@
 use crate::ego_motion::reaction_time;
 use crate::encounter::Encounter;
 use crate::grid::Latencies;
-use crate::judge::{Judge, Tolerated};
+use crate::judge::Judge;
 use crate::recording::{Recording, View};
 use crate::{Ego, Estimate, Future, Params, State};
 use zhuyi_core::Footprint;
@@ -101,68 +101,36 @@ impl Estimator {
             binding: None,
             extrapolated: view.future.extrapolated(self.params.horizon),
         };
-        let longest = reaction(self.largest());
-        let Some(encounter) = Encounter::new(&self.params, ego, actor, view, longest) else {
+        let Some(encounter) = Encounter::new(&self.params, ego, actor, view) else {
             return quiet;
         };
         let judge = Judge {
             encounter: &encounter,
-            solver: self.params.solver,
-            criterion: self.params.criterion,
-            max_steps: self.params.max_steps,
+            params: &self.params,
         };
-        let Some((index, tolerated)) = self.largest_tolerable(&judge, reaction) else {
-            return intolerable(&judge, reaction(self.smallest()), quiet);
+        // Behind the latencies of the grid stands the last candidate: to react at once.
+        let latencies = self.latencies();
+        let reaction_time = |index: usize| {
+            latencies
+                .get(index)
+                .map_or(0.0, |latency| reaction(*latency))
         };
-        let larger = index.checked_sub(1).map(|index| self.latencies()[index]);
+        let found = judge.first_tolerable(latencies.len() + 1, reaction_time, latencies.len() / 2);
+        let index = found.map_or(latencies.len() + 1, |found| found.index);
+        let (state, refused) = match index.checked_sub(latencies.len()) {
+            None => (State::Tolerable, index.checked_sub(1)),
+            Some(_) if encounter.abreast() => (State::Alongside, latencies.len().checked_sub(1)),
+            Some(0) => (State::BeyondGrid, index.checked_sub(1)),
+            Some(_) => (State::Unavoidable, index.checked_sub(1)),
+        };
         Estimate {
-            state: State::Tolerable,
-            latency: Some(self.latencies()[index]),
-            t_n: tolerated.t_n,
-            binding: larger.and_then(|larger| judge.refusal(reaction(larger))),
+            state,
+            latency: latencies.get(index).copied(),
+            t_n: found
+                .filter(|_| state != State::Alongside)
+                .and_then(|found| found.t_n),
+            binding: refused.and_then(|index| judge.refusal(reaction_time(index))),
             ..quiet
         }
-    }
-
-    /// Place in the grid of the largest latency that will do.
-    fn largest_tolerable(
-        &self,
-        judge: &Judge<'_>,
-        reaction: impl Fn(f64) -> f64,
-    ) -> Option<(usize, Tolerated)> {
-        let tolerates = |index: usize| judge.tolerates(reaction(self.latencies()[index]));
-        if !judge.monotone() {
-            return (0..self.latencies().len()).find_map(|index| Some((index, tolerates(index)?)));
-        }
-        if let Some(tolerated) = tolerates(0) {
-            return Some((0, tolerated));
-        }
-        // Everything up to `refused` is refused; `best`, once found, is tolerable and bounds the rest from below.
-        let (mut refused, mut end, mut best) = (0, self.latencies().len(), None);
-        while refused + 1 < end {
-            let middle = usize::midpoint(refused, end);
-            match tolerates(middle) {
-                Some(tolerated) => (end, best) = (middle, Some((middle, tolerated))),
-                None => refused = middle,
-            }
-        }
-        best
-    }
-}
-
-/// The answer where even the `shortest` reaction of the grid is refused.
-fn intolerable(judge: &Judge<'_>, shortest: f64, quiet: Estimate) -> Estimate {
-    let at_once = judge.tolerates(0.0);
-    let (state, t_n, refused) = match at_once {
-        _ if judge.encounter.abreast() => (State::Alongside, None, shortest),
-        Some(tolerated) => (State::BeyondGrid, tolerated.t_n, shortest),
-        None => (State::Unavoidable, None, 0.0),
-    };
-    Estimate {
-        state,
-        latency: None,
-        t_n,
-        binding: judge.refusal(refused),
-        ..quiet
     }
 }

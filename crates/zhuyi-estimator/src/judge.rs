@@ -6,59 +6,79 @@
 
 use crate::conflict::Zone;
 use crate::encounter::{Encounter, overlap};
+use crate::exact::{Candidate, Found};
 use crate::stretch::{Outline, Stretch};
-use crate::{Binding, Criterion, Solver, exact, paper};
+use crate::{Binding, Criterion, Params, Solver, exact, paper};
 
-/// How a reaction time is judged.
+/// How reaction times are judged.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Judge<'a> {
     pub encounter: &'a Encounter<'a>,
-    pub solver: Solver,
-    pub criterion: Criterion,
-    pub max_steps: u32,
-}
-
-/// A tolerable reaction time.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Tolerated {
-    pub t_n: Option<f64>,
+    pub params: &'a Params,
 }
 
 impl Judge<'_> {
-    /// Whether a reaction time will do.
-    pub fn tolerates(&self, reaction_time: f64) -> Option<Tolerated> {
-        match (self.criterion, self.solver) {
-            (Criterion::Standstill, _) => {
-                let motion = self.encounter.reaction(reaction_time)?;
-                let contact =
-                    self.encounter
-                        .first_contact(&motion, reaction_time, self.encounter.horizon);
-                contact.is_none().then_some(Tolerated { t_n: None })
-            }
-            (Criterion::Paper, Solver::Exact) => exact::first_time(self.encounter, reaction_time)
-                .map(|t_n| Tolerated { t_n: Some(t_n) }),
-            (Criterion::Paper, Solver::Paper) => {
-                paper::found_time(self.encounter, reaction_time, self.max_steps)
-                    .map(|t_n| Tolerated { t_n: Some(t_n) })
-            }
+    /// The first of `count` reaction times, given in falling order, that will do. `guess` says where to look first.
+    pub fn first_tolerable(
+        &self,
+        count: usize,
+        reaction_time: impl Fn(usize) -> f64,
+        guess: usize,
+    ) -> Option<Found> {
+        if self.jumps() {
+            let jump_to = |index| {
+                let t_n =
+                    paper::found_time(self.encounter, reaction_time(index), self.params.max_steps)?;
+                Some(Found {
+                    index,
+                    t_n: Some(t_n),
+                })
+            };
+            return (0..count).find_map(jump_to);
+        }
+        let candidate = |index| self.candidate(reaction_time(index));
+        if self.encounter.earlier_is_better() {
+            return exact::first_tolerable(
+                self.encounter,
+                self.params.criterion,
+                count,
+                candidate,
+                guess,
+            );
+        }
+        (0..count).find_map(|index| {
+            let found = self.exact(reaction_time(index))?;
+            Some(Found { index, ..found })
+        })
+    }
+
+    /// The t_n of one reaction time in continuous time.
+    fn exact(&self, reaction_time: f64) -> Option<Found> {
+        let candidate = |_| self.candidate(reaction_time);
+        exact::first_tolerable(self.encounter, self.params.criterion, 1, candidate, 0)
+    }
+
+    fn candidate(&self, reaction_time: f64) -> Candidate {
+        Candidate {
+            reaction_time,
+            motion: self.encounter.motion(reaction_time),
         }
     }
 
-    /// Whether a latency below a tolerable one is sure to be tolerable: not with the jumps, which may miss.
-    pub fn monotone(&self) -> bool {
-        let jumps = self.criterion == Criterion::Paper && self.solver == Solver::Paper;
-        !jumps && self.encounter.earlier_is_better()
+    /// Whether t_n is searched by jumps, which may miss it.
+    fn jumps(&self) -> bool {
+        self.params.criterion == Criterion::Paper && self.params.solver == Solver::Paper
     }
 
     /// What refuses a reaction time that is not tolerable; `None` if it leaves no time in the horizon at all, or if
     /// nothing does and the jumps missed every t_n.
     pub fn refusal(&self, reaction_time: f64) -> Option<Binding> {
         let encounter = self.encounter;
-        if self.criterion == Criterion::Standstill {
+        if self.params.criterion == Criterion::Standstill {
             return Some(Binding::PassThrough);
         }
-        let missed = || exact::first_time(encounter, reaction_time).is_some();
-        if reaction_time > encounter.horizon || (self.solver == Solver::Paper && missed()) {
+        let horizon = encounter.corridor.horizon;
+        if reaction_time > horizon || (self.jumps() && self.exact(reaction_time).is_some()) {
             return None;
         }
         let (motion, margins) = (encounter.motion(reaction_time), encounter.margins);
@@ -66,8 +86,8 @@ impl Judge<'_> {
         let met = |stretch: &Stretch| stretch.first_met(margins, stretch.length);
         let slow = |stretch: &Stretch| stretch.ever_slow_enough(margins).then_some(());
         let mut slow_enough = false;
-        for span in encounter.spans.iter() {
-            let Some((from, to)) = overlap(&span, reaction_time, encounter.horizon) else {
+        for span in encounter.spans() {
+            let Some((from, to)) = overlap(&span, reaction_time, horizon) else {
                 continue;
             };
             let outside = span.zone == Zone::After;

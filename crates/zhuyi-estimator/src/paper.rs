@@ -45,14 +45,20 @@ pub(crate) fn found_time(
     reaction_time: f64,
     max_steps: u32,
 ) -> Option<f64> {
-    let motion = encounter.reaction(reaction_time)?;
+    let (motion, horizon) = (encounter.motion(reaction_time), encounter.corridor.horizon);
+    if encounter
+        .first_contact(&motion, 0.0, reaction_time.min(horizon))
+        .is_some()
+    {
+        return None;
+    }
     let mut time = reaction_time;
     for _ in 0..=max_steps {
-        if time > encounter.horizon {
+        if time > horizon {
             return None;
         }
         let outside = zone_at(encounter, time) == Zone::After;
-        let until = if outside { encounter.horizon } else { time };
+        let until = if outside { horizon } else { time };
         let jump = jump(encounter, &motion, time);
         if (outside || jump.is_none())
             && encounter
@@ -72,8 +78,9 @@ fn jump(encounter: &Encounter<'_>, motion: &EgoMotion, time: f64) -> Option<f64>
     let (distance, speed) = (motion.distance(time), motion.speed(time));
     let overrun = -distance_slack(encounter.margins.c1, gap, distance);
     let excess = -speed_slack(encounter.margins.c2, actor_speed, speed);
-    let by_distance = (overrun > TOLERANCE).then(|| distance_jump(speed, overrun, encounter.decel));
-    let by_speed = (excess > TOLERANCE).then(|| speed_jump(excess, encounter.decel));
+    let by_distance =
+        (overrun > TOLERANCE).then(|| distance_jump(speed, overrun, encounter.decel()));
+    let by_speed = (excess > TOLERANCE).then(|| speed_jump(excess, encounter.decel()));
     match (by_distance, by_speed) {
         (Some(a), Some(b)) => Some(a.min(b)),
         (a, b) => a.or(b),
@@ -82,7 +89,7 @@ fn jump(encounter: &Encounter<'_>, motion: &EgoMotion, time: f64) -> Option<f64>
 
 fn zone_at(encounter: &Encounter<'_>, time: f64) -> Zone {
     let mut zone = Zone::Before;
-    for span in encounter.spans.iter() {
+    for span in encounter.spans() {
         if span.start > time {
             break;
         }
