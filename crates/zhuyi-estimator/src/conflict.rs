@@ -75,6 +75,31 @@ impl<'a> Corridor<'a> {
         }
     }
 
+    /// Until when, and up to which piece, the bodies overlap sideways on all pieces from `index` on, which starts at
+    /// `end`.
+    fn overlapping_from(&self, mut index: usize, mut end: f64) -> (f64, usize) {
+        let (pieces, now) = (self.view.future.across, self.view.future.now);
+        let (right, left) = (self.ego.1 - self.body, self.ego.1 + self.body);
+        let inside = |d: f64| right < d && d < left;
+        while let Some(piece) = pieces.get(index)
+            && end < self.horizon
+        {
+            let next = pieces
+                .get(index + 1)
+                .map_or(f64::INFINITY, |next| next.time - now);
+            let next = if next < self.horizon {
+                next
+            } else {
+                self.horizon
+            };
+            if !inside(piece.d) || !inside(piece.d + (next - end) * piece.d_rate) {
+                break;
+            }
+            (end, index) = (next, index + 1);
+        }
+        (end, index.min(pieces.len() - 1))
+    }
+
     /// Actor's centre ahead of the ego's with the acceleration held.
     fn ahead(&self, time: f64) -> f64 {
         let future = &self.view.future;
@@ -145,6 +170,7 @@ impl Walk {
             return (Side::Apart, end, following);
         }
         if here.abs() < body && there.abs() < body {
+            let (end, following) = corridor.overlapping_from(self.index + 1, end);
             return (Side::Overlap, end, following);
         }
         if piece.d_rate == 0.0 || here == there {

@@ -19,6 +19,8 @@
 //! Source: paper, "Estimating Tolerable Latency Per Actor"; the paper prints K (l - l_0) without the max, which
 //! makes t_r negative below l_0. Left out: a limit on a_b, jerk and actuator lag. A vehicle never reverses.
 
+use crate::quadratic::Quadratic;
+
 /// [s] t_r, from the exposure of the first frame to the braking, at `latency` while the camera now runs at
 /// `current_latency`.
 ///
@@ -96,6 +98,16 @@ impl Phase {
 
     pub fn speed_at(&self, time: f64) -> f64 {
         self.speed + (time - self.start) * self.accel
+    }
+
+    /// d(t) as a polynomial in t itself.
+    pub fn in_time(&self) -> Quadratic {
+        let from_start = Quadratic {
+            c0: self.distance,
+            c1: self.speed,
+            c2: self.accel / 2.0,
+        };
+        from_start.from(-self.start)
     }
 }
 
@@ -219,15 +231,37 @@ impl EgoMotion {
         ]
     }
 
-    /// The phase that holds at a time.
-    pub(crate) fn phase(&self, time: f64) -> &Phase {
+    /// The place of the phase that holds at a time.
+    #[inline]
+    pub(crate) fn place(&self, time: f64) -> usize {
+        let [_, brake, stand] = &self.phases;
+        usize::from(time >= brake.start) + usize::from(time >= stand.start)
+    }
+
+    /// A phase by its place, and its end.
+    #[inline]
+    pub(crate) fn phase_at(&self, place: usize) -> Option<(&Phase, f64)> {
+        let end = self
+            .phases
+            .get(place + 1)
+            .map_or(f64::INFINITY, |next| next.start);
+        Some((self.phases.get(place)?, end))
+    }
+
+    /// The phase that holds at a time, and its end.
+    #[inline]
+    pub(crate) fn phase_and_end(&self, time: f64) -> (&Phase, f64) {
         let [hold, brake, stand] = &self.phases;
         if time < brake.start {
-            hold
+            (hold, brake.start)
         } else if time < stand.start {
-            brake
+            (brake, stand.start)
         } else {
-            stand
+            (stand, f64::INFINITY)
         }
+    }
+
+    fn phase(&self, time: f64) -> &Phase {
+        self.phase_and_end(time).0
     }
 }

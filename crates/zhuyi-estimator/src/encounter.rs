@@ -4,7 +4,9 @@
 //! t_n] at which the bodies overlap sideways.
 
 use crate::conflict::{Corridor, Span, Spans, Zone};
+use crate::constraints::TOLERANCE;
 use crate::ego_motion::{EgoMotion, Phase, braking_decel};
+use crate::quadratic::Quadratic;
 use crate::recording::{ALONG_BLOCKS, AlongBlock, View};
 use crate::stretch::{Datum, Margins, Outline, Stretch};
 use crate::{Ego, Params};
@@ -46,11 +48,6 @@ impl<'a> Encounter<'a> {
         })
     }
 
-    /// The ego's motion at a reaction time.
-    pub fn motion(&self, reaction_time: f64) -> EgoMotion {
-        EgoMotion::new(self.corridor.held, reaction_time, self.decel)
-    }
-
     /// The zones of [0, horizon], in order.
     pub fn spans(&self) -> impl Iterator<Item = Span> {
         self.spans.iter(&self.corridor)
@@ -72,16 +69,27 @@ impl<'a> Encounter<'a> {
         self.decel >= -self.corridor.held.accel
     }
 
+    /// A reaction time with the motion that follows from it.
+    pub fn candidate(&self, reaction_time: f64) -> Candidate {
+        Candidate {
+            reaction_time,
+            motion: EgoMotion::new(self.corridor.held, reaction_time, self.decel),
+        }
+    }
+
     /// The first time in [from, to] at which the ego's front passes the actor's rear while the bodies overlap
     /// sideways.
-    pub fn first_contact(&self, motion: &EgoMotion, from: f64, to: f64) -> Option<f64> {
+    pub fn first_contact(&self, candidate: &Candidate, from: f64, to: f64) -> Option<f64> {
+        let ask = Ask {
+            contact: true,
+            met: false,
+        };
         for span in self.spans() {
             if span.start > to {
                 break;
             }
             if let (Zone::Overlap, Some((a, b))) = (span.zone, overlap(&span, from, to)) {
-                let visit = |stretch: &Stretch| stretch.first_contact().map(|x| stretch.start + x);
-                let contact = self.walk(motion, a, b, Outline::is_clear, visit);
+                let contact = self.first_event(ask, candidate, a, b);
                 if contact.is_some() {
                     return contact;
                 }
@@ -90,30 +98,21 @@ impl<'a> Encounter<'a> {
         None
     }
 
+    /// When in [from, to] a candidate first comes to what is asked for.
+    pub fn first_event(&self, ask: Ask, candidate: &Candidate, from: f64, to: f64) -> Option<f64> {
+        let mut single = Single {
+            encounter: self,
+            ask,
+            candidate,
+        };
+        self.visit(from, to, &mut single)
+    }
+
     /// Gap s and the actor's speed v_a at a time.
     pub fn actor(&self, time: f64) -> (f64, f64) {
         let future = &self.corridor.view.future;
         let (piece, at) = (&future.along[future.along_index(time)], time + future.now);
         (piece.s_at(at) - self.datum.origin, piece.v_at(at))
-    }
-
-    /// Visits the stretches of [from, to] in order until `visit` finds something; passes over what `skip` says
-    /// cannot matter.
-    pub fn walk<T>(
-        &self,
-        motion: &EgoMotion,
-        from: f64,
-        to: f64,
-        skip: impl Fn(&Outline) -> bool,
-        visit: impl Fn(&Stretch) -> Option<T>,
-    ) -> Option<T> {
-        let mut walk = Walk {
-            encounter: self,
-            motion,
-            skip,
-            visit,
-        };
-        self.visit(from, to, &mut walk)
     }
 
     /// Takes a visitor along the pieces of [from, to] in order until it finds something.
@@ -134,15 +133,16 @@ impl<'a> Encounter<'a> {
                 }
                 tried = (index / FINEST + 1) * FINEST;
             }
+            (time, index) = self.hasten(time, index, to, &visitor.leash(time));
             let next = future.along.get(index + 1);
             let end = next.map_or(f64::INFINITY, |next| next.time - future.now);
             if end > time || time >= to {
                 let cell = Cell {
                     start: time,
-                    end: end.min(to),
+                    end: if end < to { end } else { to },
                     piece: &future.along[index],
                 };
-                if let Some(found) = visitor.visit(&cell) {
+                if let Some(found) = visitor.visit(&cell, &self.bounds(&cell)) {
                     return Some(found);
                 }
                 if end >= to {
@@ -152,6 +152,124 @@ impl<'a> Encounter<'a> {
             }
             index += 1;
         }
+    }
+
+    /// Passes over whole pieces on which the leash tells that nothing happens: the time and the piece at which it does
+    /// not.
+    #[inline]
+    fn hasten(&self, mut time: f64, mut index: usize, to: f64, leash: &Leash) -> (f64, usize) {
+        let pieces = self.corridor.view.future.along;
+        let until = if leash.until < to { leash.until } else { to };
+        while let [piece, next, ..] = &pieces[index..] {
+            let cell = Cell {
+                start: time,
+                end: next.time - self.datum.now,
+                piece,
+            };
+            if cell.end > until {
+                break;
+            }
+            if cell.end > cell.start {
+                let bounds = self.bounds(&cell);
+                let clear = leash.contact.at(cell.end) <= bounds.nearest;
+                let fast = leash.met.c1 + 2.0 * leash.met.c2 * cell.end > bounds.fastest;
+                if !clear || !(fast || leash.met.at(cell.start) > bounds.furthest) {
+                    break;
+                }
+                time = cell.end;
+            }
+            index += 1;
+        }
+        (time, index)
+    }
+
+    /// What the ends of a cell tell of the actor on all of it.
+    #[inline]
+    fn bounds(&self, cell: &Cell<'_, Along>) -> Bounds {
+        let (piece, Datum { now, origin }) = (cell.piece, self.datum);
+        let (x, y) = (cell.start + now - piece.time, cell.end + now - piece.time);
+        let s = |x: f64| piece.s - origin + x * (piece.s_rate + x * piece.s_half_accel);
+        let (here, there) = (s(x), s(y));
+        let (v_here, v_there) = (piece.v + x * piece.v_rate, piece.v + y * piece.v_rate);
+        // How far a parabola strays from its chord at most.
+        let bulge = piece.s_half_accel.abs() * (y - x) * (y - x) / 4.0;
+        let fastest = if v_here > v_there { v_here } else { v_there };
+        let slow = if fastest > 0.0 { fastest } else { 0.0 };
+        let (low, high) = if here < there {
+            (here, there)
+        } else {
+            (there, here)
+        };
+        Bounds {
+            nearest: low - bulge,
+            furthest: self.margins.c1 * (high + bulge) + 2.0 * TOLERANCE,
+            fastest: self.margins.c2 * slow + 2.0 * TOLERANCE,
+        }
+    }
+
+    /// What happens first to a candidate on a cell.
+    #[inline]
+    pub fn verdict(
+        &self,
+        ask: Ask,
+        candidate: &Candidate,
+        cell: &Cell<'_, Along>,
+        bounds: &Bounds,
+    ) -> Verdict {
+        let motion = &candidate.motion;
+        let mut place = motion.place(cell.start);
+        while let Some((phase, end)) = motion.phase_at(place) {
+            let a = if phase.start > cell.start {
+                phase.start
+            } else {
+                cell.start
+            };
+            let b = if end < cell.end { end } else { cell.end };
+            if a > b {
+                break;
+            }
+            place += 1;
+            // The ego never goes back, and never gets faster once it has reacted.
+            let near = ask.contact && phase.distance_at(b) > bounds.nearest;
+            let apt = ask.met
+                && phase.start >= candidate.reaction_time
+                && phase.speed_at(b) <= bounds.fastest
+                && phase.distance_at(a) <= bounds.furthest;
+            if !near && !apt {
+                continue;
+            }
+            let stretch = Stretch::new(a, b, cell.piece, self.datum, phase);
+            let contact = if near { stretch.first_contact() } else { None };
+            let met = if apt {
+                stretch.first_met(self.margins, contact.unwrap_or(stretch.length))
+            } else {
+                None
+            };
+            match (met, contact) {
+                (Some(x), _) => return Verdict::Met(a + x),
+                (None, Some(x)) => return Verdict::Contact(a + x),
+                (None, None) => {}
+            }
+        }
+        Verdict::Nothing
+    }
+
+    /// Whether for sure nothing happens to a candidate on a block.
+    pub fn is_idle(&self, ask: Ask, candidate: &Candidate, block: &Cell<'_, AlongBlock>) -> bool {
+        parts(&candidate.motion, block.start, block.end).all(|(phase, a, b)| {
+            let outline = Outline::new(a, b, block.piece, self.datum, phase);
+            let reacted = ask.met && phase.start >= candidate.reaction_time;
+            (!ask.contact || outline.is_clear()) && (!reacted || outline.is_unmet(self.margins))
+        })
+    }
+
+    /// Whether the ego is ever slow enough (Eq. 2) in [from, to] before it stands.
+    pub fn ever_slow_enough(&self, candidate: &Candidate, from: f64, to: f64) -> bool {
+        let mut slow = Slow {
+            encounter: self,
+            candidate,
+        };
+        self.visit(from, to, &mut slow).is_some()
     }
 
     /// The end of a block of which nothing matters from `start` on, and the piece behind it.
@@ -181,46 +299,77 @@ impl<'a> Encounter<'a> {
         }
         None
     }
+}
 
-    /// A part of a cell in one phase of the ego.
-    #[inline]
-    pub fn stretch(&self, cell: &Cell<'_, Along>, phase: &Phase, start: f64, end: f64) -> Stretch {
-        Stretch::new(start, end, cell.piece, self.datum, phase)
-    }
+/// A reaction time, and the ego's motion at it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Candidate {
+    pub reaction_time: f64,
+    pub motion: EgoMotion,
+}
 
-    /// What the ends of a cell tell of the actor on all of it.
+/// What is asked of a candidate.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ask {
+    /// When its front passes the actor's rear.
+    pub contact: bool,
+    /// When it meets both constraints, having reacted.
+    pub met: bool,
+}
+
+/// What a piece means for a candidate, and when.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Verdict {
+    Nothing,
+    Met(f64),
+    Contact(f64),
+}
+
+/// How far the ego is at most, and how far and fast at least, while it keeps to its phases: as polynomials in t that
+/// hold up to a time.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Leash {
+    until: f64,
+    /// Of the candidate that goes furthest.
+    contact: Quadratic,
+    /// Of the candidate that goes least far.
+    met: Quadratic,
+}
+
+impl Leash {
+    /// Nobody may touch, and nobody has reacted.
+    const SLACK: Self = Self {
+        until: f64::INFINITY,
+        contact: Quadratic {
+            c0: f64::NEG_INFINITY,
+            c1: 0.0,
+            c2: 0.0,
+        },
+        met: Quadratic {
+            c0: 0.0,
+            c1: f64::INFINITY,
+            c2: 0.0,
+        },
+    };
+
+    /// From `time` on, of the candidate that touches first and the one that meets the constraints first.
     #[inline]
-    pub fn bounds(&self, cell: &Cell<'_, Along>) -> Bounds {
-        let (piece, now) = (cell.piece, self.datum.now);
-        let length = cell.end - cell.start;
-        let at = |time: f64| {
-            (
-                piece.s_at(time + now) - self.datum.origin,
-                piece.v_at(time + now),
-            )
-        };
-        let ((s, v), (next_s, next_v)) = (at(cell.start), at(cell.end));
-        // How far a parabola strays from its chord at most.
-        let bulge = piece.s_half_accel.abs() * length * length / 4.0;
-        let (low, high) = if s < next_s { (s, next_s) } else { (next_s, s) };
-        let fastest = if v > next_v { v } else { next_v };
-        Bounds {
-            nearest: low - bulge,
-            furthest: high + bulge,
-            fastest: if fastest > 0.0 { fastest } else { 0.0 },
+    pub fn new(ask: Ask, touches: &Candidate, meets: &Candidate, time: f64) -> Self {
+        let mut leash = Self::SLACK;
+        if ask.contact {
+            let (phase, end) = touches.motion.phase_and_end(time);
+            (leash.contact, leash.until) = (phase.in_time(), end);
         }
-    }
-
-    /// A part of a block in one phase of the ego.
-    #[inline]
-    pub fn outline(
-        &self,
-        cell: &Cell<'_, AlongBlock>,
-        phase: &Phase,
-        start: f64,
-        end: f64,
-    ) -> Outline {
-        Outline::new(start, end, cell.piece, self.datum, phase)
+        if ask.met {
+            let (phase, end) = meets.motion.phase_and_end(time);
+            if phase.start >= meets.reaction_time {
+                leash.met = phase.in_time();
+            }
+            if end < leash.until {
+                leash.until = end;
+            }
+        }
+        leash
     }
 }
 
@@ -232,45 +381,82 @@ pub(crate) trait Visitor {
     /// Whether nothing on this block can matter.
     fn passes_over(&self, block: &Cell<'_, AlongBlock>) -> bool;
 
+    /// What tells at once that nothing happens, from `time` on.
+    fn leash(&self, time: f64) -> Leash;
+
     /// Looks at a piece.
-    fn visit(&mut self, cell: &Cell<'_, Along>) -> Option<Self::Found>;
+    fn visit(&mut self, cell: &Cell<'_, Along>, bounds: &Bounds) -> Option<Self::Found>;
 }
 
-/// A visitor with one motion of the ego, who looks at each stretch.
-struct Walk<'e, 'a, S, V> {
+/// Looks for the first event of one candidate.
+struct Single<'e, 'a> {
     encounter: &'e Encounter<'a>,
-    motion: &'e EgoMotion,
-    skip: S,
-    visit: V,
+    ask: Ask,
+    candidate: &'e Candidate,
 }
 
-impl<T, S, V> Visitor for Walk<'_, '_, S, V>
-where
-    S: Fn(&Outline) -> bool,
-    V: Fn(&Stretch) -> Option<T>,
-{
-    type Found = T;
+impl Visitor for Single<'_, '_> {
+    type Found = f64;
 
     fn passes_over(&self, block: &Cell<'_, AlongBlock>) -> bool {
-        parts(self.motion, block.start, block.end)
-            .all(|(phase, a, b)| (self.skip)(&self.encounter.outline(block, phase, a, b)))
+        self.encounter.is_idle(self.ask, self.candidate, block)
     }
 
-    fn visit(&mut self, cell: &Cell<'_, Along>) -> Option<T> {
-        parts(self.motion, cell.start, cell.end)
-            .find_map(|(phase, a, b)| (self.visit)(&self.encounter.stretch(cell, phase, a, b)))
+    fn leash(&self, time: f64) -> Leash {
+        Leash::new(self.ask, self.candidate, self.candidate, time)
+    }
+
+    fn visit(&mut self, cell: &Cell<'_, Along>, bounds: &Bounds) -> Option<f64> {
+        match self
+            .encounter
+            .verdict(self.ask, self.candidate, cell, bounds)
+        {
+            Verdict::Nothing => None,
+            Verdict::Met(time) | Verdict::Contact(time) => Some(time),
+        }
     }
 }
 
-/// Bounds of an actor's motion on a cell.
+/// Looks for a time at which one candidate is slow enough.
+struct Slow<'e, 'a> {
+    encounter: &'e Encounter<'a>,
+    candidate: &'e Candidate,
+}
+
+impl Visitor for Slow<'_, '_> {
+    type Found = ();
+
+    fn passes_over(&self, _: &Cell<'_, AlongBlock>) -> bool {
+        false
+    }
+
+    fn leash(&self, time: f64) -> Leash {
+        Leash {
+            until: time,
+            ..Leash::SLACK
+        }
+    }
+
+    fn visit(&mut self, cell: &Cell<'_, Along>, _: &Bounds) -> Option<()> {
+        let Encounter { datum, margins, .. } = self.encounter;
+        let slow = |(phase, a, b): (&Phase, f64, f64)| {
+            Stretch::new(a, b, cell.piece, *datum, phase).ever_slow_enough(*margins)
+        };
+        parts(&self.candidate.motion, cell.start, cell.end)
+            .any(slow)
+            .then_some(())
+    }
+}
+
+/// Bounds for the ego on a cell.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bounds {
-    /// [m] least gap s.
-    pub nearest: f64,
-    /// [m] largest gap s.
-    pub furthest: f64,
-    /// [m/s] largest speed, at least zero.
-    pub fastest: f64,
+    /// [m] least gap s: an ego that has gone no further is clear.
+    nearest: f64,
+    /// [m] C1 times the largest gap: beyond it Eq. 1 is unmet.
+    furthest: f64,
+    /// [m/s] C2 times the actor's largest speed: above it Eq. 2 is unmet.
+    fastest: f64,
 }
 
 /// A time in which the actor keeps to one piece, or to one block.

@@ -27,17 +27,8 @@ use zhuyi_core::Along;
 
 use crate::Criterion;
 use crate::conflict::{Span, Zone};
-use crate::constraints::TOLERANCE;
-use crate::ego_motion::EgoMotion;
-use crate::encounter::{Cell, Encounter, Visitor, overlap, parts};
+use crate::encounter::{Ask, Bounds, Candidate, Cell, Encounter, Leash, Verdict, Visitor, overlap};
 use crate::recording::AlongBlock;
-
-/// A reaction time, and the ego's motion at it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Candidate {
-    pub reaction_time: f64,
-    pub motion: EgoMotion,
-}
 
 /// The candidate that was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,14 +37,6 @@ pub(crate) struct Found {
     pub index: usize,
     /// [s] its t_n; the criterion `standstill` has none.
     pub t_n: Option<f64>,
-}
-
-/// What a piece means for a candidate.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Verdict {
-    Nothing,
-    Met(f64),
-    Contact,
 }
 
 /// The first of `count` candidates, given in order of falling reaction time, that is tolerable; `None` if none is.
@@ -67,8 +50,10 @@ pub(crate) fn first_tolerable<F: Fn(usize) -> Candidate>(
 ) -> Option<Found> {
     let mut search = Search {
         encounter,
-        criterion,
-        touching: false,
+        ask: Ask {
+            contact: false,
+            met: criterion == Criterion::Paper,
+        },
         alive: 0,
         best: count,
         t_n: None,
@@ -79,10 +64,10 @@ pub(crate) fn first_tolerable<F: Fn(usize) -> Candidate>(
     };
     let mut outside_until = None;
     for span in encounter.spans() {
-        search.touching = span.zone == Zone::Overlap;
+        search.ask.contact = span.zone == Zone::Overlap;
         if span.zone == Zone::After {
             outside_until = Some(span.end);
-        } else if search.touching || criterion == Criterion::Paper {
+        } else if search.ask.contact || search.ask.met {
             let settled = encounter.visit(span.start, span.end, &mut search);
             if settled.is_some() {
                 break;
@@ -103,11 +88,10 @@ pub(crate) fn first_tolerable<F: Fn(usize) -> Candidate>(
 /// The search under way: the borders, and the candidates on their sides that may move them.
 struct Search<'e, 'a, F> {
     encounter: &'e Encounter<'a>,
-    criterion: Criterion,
+    /// What matters in this zone.
+    ask: Ask,
     candidate: F,
     guess: usize,
-    /// The bodies overlap sideways.
-    touching: bool,
     alive: usize,
     best: usize,
     /// Of candidate `best`.
@@ -118,6 +102,9 @@ struct Search<'e, 'a, F> {
     front: Candidate,
 }
 
+/// About how many candidates come into contact in a second of a walk.
+const FALLING_PER_SECOND: f64 = 8.0;
+
 /// The borders have met.
 struct Settled;
 
@@ -125,104 +112,65 @@ impl<F: Fn(usize) -> Candidate> Visitor for Search<'_, '_, F> {
     type Found = Settled;
 
     fn passes_over(&self, block: &Cell<'_, AlongBlock>) -> bool {
-        let unmet = || {
-            self.criterion == Criterion::Standstill
-                || parts(&self.front.motion, block.start, block.end).all(|(phase, a, b)| {
-                    phase.start < self.front.reaction_time
-                        || self
-                            .encounter
-                            .outline(block, phase, a, b)
-                            .is_unmet(self.encounter.margins)
-                })
-        };
-        let clear = || {
-            !self.touching
-                || parts(&self.back.motion, block.start, block.end)
-                    .all(|(phase, a, b)| self.encounter.outline(block, phase, a, b).is_clear())
-        };
-        unmet() && clear()
+        // Where the back is clear, so is the front.
+        let (met, contact) = (self.asks_met(), self.asks_contact());
+        (!self.ask.met || self.encounter.is_idle(met, &self.front, block))
+            && (!self.ask.contact || self.encounter.is_idle(contact, &self.back, block))
+    }
+
+    fn leash(&self, time: f64) -> Leash {
+        Leash::new(self.ask, &self.back, &self.front, time)
     }
 
     #[inline]
-    fn visit(&mut self, cell: &Cell<'_, Along>) -> Option<Settled> {
-        if self.is_idle(cell) {
-            return None;
-        }
-        let front = match self.verdict(&self.front, cell) {
-            Verdict::Met(time) => self.lower_best(cell, time),
+    fn visit(&mut self, cell: &Cell<'_, Along>, bounds: &Bounds) -> Option<Settled> {
+        let front = match self.encounter.verdict(self.ask, &self.front, cell, bounds) {
+            Verdict::Met(time) => self.lower_best(cell, bounds, time),
             verdict => verdict,
         };
-        if front == Verdict::Contact {
+        if let Verdict::Contact(_) = front {
             self.alive = self.best;
-        } else if self.touching
-            // With one candidate left between the borders, the front is the back.
+        } else if self.ask.contact
             && self.alive + 1 < self.best
-            && self.verdict(&self.back, cell) == Verdict::Contact
+            && self.touches(&self.back, cell, bounds)
         {
-            self.raise_alive(cell);
+            self.raise_alive(cell, bounds);
         }
         (self.alive == self.best).then_some(Settled)
     }
 }
 
 impl<F: Fn(usize) -> Candidate> Search<'_, '_, F> {
-    /// Whether what ego and actor are at the ends of a cell tells that no border moves on it: the ego never goes
-    /// back, and brakes from its reaction on.
-    #[inline]
-    fn is_idle(&self, cell: &Cell<'_, Along>) -> bool {
-        let bounds = self.encounter.bounds(cell);
-        if self.touching && self.back.motion.distance(cell.end) > bounds.nearest {
-            return false;
+    fn asks_met(&self) -> Ask {
+        Ask {
+            contact: false,
+            ..self.ask
         }
-        if self.criterion == Criterion::Standstill || cell.end < self.front.reaction_time {
-            return true;
-        }
-        let (motion, margins) = (&self.front.motion, self.encounter.margins);
-        motion.speed(cell.end) > margins.c2 * bounds.fastest + 2.0 * TOLERANCE
-            || motion.distance(cell.start) > margins.c1 * bounds.furthest + 2.0 * TOLERANCE
     }
 
-    /// What happens first to a candidate on a cell.
-    #[inline]
-    fn verdict(&self, candidate: &Candidate, cell: &Cell<'_, Along>) -> Verdict {
-        for (phase, end) in candidate.motion.phases() {
-            let (a, b) = (later(phase.start, cell.start), sooner(end, cell.end));
-            if a > b {
-                continue;
-            }
-            let reacted =
-                phase.start >= candidate.reaction_time && self.criterion == Criterion::Paper;
-            if !reacted && !self.touching {
-                continue;
-            }
-            let stretch = self.encounter.stretch(cell, phase, a, b);
-            let contact = if self.touching {
-                stretch.first_contact()
-            } else {
-                None
-            };
-            let met = if reacted {
-                stretch.first_met(self.encounter.margins, contact.unwrap_or(stretch.length))
-            } else {
-                None
-            };
-            match (met, contact) {
-                (Some(x), _) => return Verdict::Met(a + x),
-                (None, Some(_)) => return Verdict::Contact,
-                (None, None) => {}
-            }
+    fn asks_contact(&self) -> Ask {
+        Ask {
+            met: false,
+            ..self.ask
         }
-        Verdict::Nothing
+    }
+
+    /// Whether a candidate comes into contact on a cell on which it does not meet the constraints.
+    #[inline]
+    fn touches(&self, candidate: &Candidate, cell: &Cell<'_, Along>, bounds: &Bounds) -> bool {
+        self.encounter
+            .verdict(self.asks_contact(), candidate, cell, bounds)
+            != Verdict::Nothing
     }
 
     /// The front meets the constraints on this cell at `time`: so may others behind it. What happens to the new front.
-    fn lower_best(&mut self, cell: &Cell<'_, Along>, time: f64) -> Verdict {
+    fn lower_best(&mut self, cell: &Cell<'_, Along>, bounds: &Bounds, time: f64) -> Verdict {
         let (mut low, mut front) = (self.alive, Verdict::Nothing);
         (self.best, self.t_n) = (self.best - 1, Some(time));
         while low < self.best {
             let middle = self.between(low, self.best);
             let candidate = (self.candidate)(middle);
-            match self.verdict(&candidate, cell) {
+            match self.encounter.verdict(self.ask, &candidate, cell, bounds) {
                 Verdict::Met(time) => (self.best, self.t_n) = (middle, Some(time)),
                 verdict => {
                     (self.front, front) = (candidate, verdict);
@@ -233,20 +181,22 @@ impl<F: Fn(usize) -> Candidate> Search<'_, '_, F> {
         front
     }
 
-    /// The back comes into contact on this cell: so may others before it.
-    fn raise_alive(&mut self, cell: &Cell<'_, Along>) {
+    /// The back comes into contact on this cell: so may others before it, mostly few.
+    fn raise_alive(&mut self, cell: &Cell<'_, Along>, bounds: &Bounds) {
         self.alive += 1;
         let mut high = self.best;
+        let mut stride = 1 + ((cell.end - cell.start) * FALLING_PER_SECOND) as usize;
         while self.alive < high {
-            let middle = self.between(self.alive, high);
-            if self.verdict(&(self.candidate)(middle), cell) == Verdict::Contact {
-                self.alive = middle + 1;
+            let next = self.alive + (stride - 1).min((high - self.alive) / 2);
+            let candidate = (self.candidate)(next);
+            if self.touches(&candidate, cell, bounds) {
+                self.alive = next + 1;
+                stride *= 2;
             } else {
-                high = middle;
+                high = next;
+                stride = 1;
+                self.back = candidate;
             }
-        }
-        if self.alive < self.best {
-            self.back = (self.candidate)(self.alive);
         }
     }
 
@@ -280,16 +230,15 @@ impl<F: Fn(usize) -> Candidate> Search<'_, '_, F> {
         if index == count {
             return None;
         }
-        let Candidate {
-            reaction_time,
-            motion,
-        } = (self.candidate)(index);
+        let candidate = (self.candidate)(index);
         // A time outside the corridor before that counts if no contact comes later either.
-        let earlier = self.first_outside(reaction_time).filter(|time| *time < met);
+        let earlier = self
+            .first_outside(candidate.reaction_time)
+            .filter(|time| *time < met);
         let horizon = self.encounter.corridor.horizon;
         let clear = || {
             self.encounter
-                .first_contact(&motion, met, horizon)
+                .first_contact(&candidate, met, horizon)
                 .is_none()
         };
         let t_n = earlier.filter(|_| clear()).unwrap_or(met);
@@ -306,16 +255,4 @@ impl<F: Fn(usize) -> Candidate> Search<'_, '_, F> {
             |span: Span| (span.zone == Zone::After).then(|| overlap(&span, from, horizon))?;
         self.encounter.spans().find_map(after).map(|(time, _)| time)
     }
-}
-
-/// The larger of two numbers, neither of which is NaN.
-#[inline]
-fn later(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
-}
-
-/// The smaller of two numbers, neither of which is NaN.
-#[inline]
-fn sooner(a: f64, b: f64) -> f64 {
-    if a < b { a } else { b }
 }

@@ -5,9 +5,8 @@
 //! otherwise.
 
 use crate::conflict::Zone;
-use crate::encounter::{Encounter, overlap};
-use crate::exact::{Candidate, Found};
-use crate::stretch::{Outline, Stretch};
+use crate::encounter::{Ask, Encounter, overlap};
+use crate::exact::Found;
 use crate::{Binding, Criterion, Params, Solver, exact, paper};
 
 /// How reaction times are judged.
@@ -36,7 +35,7 @@ impl Judge<'_> {
             };
             return (0..count).find_map(jump_to);
         }
-        let candidate = |index| self.candidate(reaction_time(index));
+        let candidate = |index| self.encounter.candidate(reaction_time(index));
         if self.encounter.earlier_is_better() {
             return exact::first_tolerable(
                 self.encounter,
@@ -54,15 +53,8 @@ impl Judge<'_> {
 
     /// The t_n of one reaction time in continuous time.
     fn exact(&self, reaction_time: f64) -> Option<Found> {
-        let candidate = |_| self.candidate(reaction_time);
+        let candidate = |_| self.encounter.candidate(reaction_time);
         exact::first_tolerable(self.encounter, self.params.criterion, 1, candidate, 0)
-    }
-
-    fn candidate(&self, reaction_time: f64) -> Candidate {
-        Candidate {
-            reaction_time,
-            motion: self.encounter.motion(reaction_time),
-        }
     }
 
     /// Whether t_n is searched by jumps, which may miss it.
@@ -81,22 +73,23 @@ impl Judge<'_> {
         if reaction_time > horizon || (self.jumps() && self.exact(reaction_time).is_some()) {
             return None;
         }
-        let (motion, margins) = (encounter.motion(reaction_time), encounter.margins);
-        let hopeless = |outline: &Outline| outline.is_unmet(margins);
-        let met = |stretch: &Stretch| stretch.first_met(margins, stretch.length);
-        let slow = |stretch: &Stretch| stretch.ever_slow_enough(margins).then_some(());
+        let candidate = encounter.candidate(reaction_time);
+        let met = Ask {
+            contact: false,
+            met: true,
+        };
         let mut slow_enough = false;
         for span in encounter.spans() {
             let Some((from, to)) = overlap(&span, reaction_time, horizon) else {
                 continue;
             };
             let outside = span.zone == Zone::After;
-            if outside || encounter.walk(&motion, from, to, hopeless, met).is_some() {
+            if outside || encounter.first_event(met, &candidate, from, to).is_some() {
                 return Some(Binding::PassThrough);
             }
             // Standing is slow enough for anything.
-            slow_enough |= motion.stands_from() <= to
-                || encounter.walk(&motion, from, to, |_| false, slow).is_some();
+            slow_enough |= candidate.motion.stands_from() <= to
+                || encounter.ever_slow_enough(&candidate, from, to);
         }
         Some(if slow_enough {
             Binding::Distance

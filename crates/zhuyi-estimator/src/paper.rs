@@ -45,9 +45,12 @@ pub(crate) fn found_time(
     reaction_time: f64,
     max_steps: u32,
 ) -> Option<f64> {
-    let (motion, horizon) = (encounter.motion(reaction_time), encounter.corridor.horizon);
+    let (candidate, horizon) = (
+        encounter.candidate(reaction_time),
+        encounter.corridor.horizon,
+    );
     if encounter
-        .first_contact(&motion, 0.0, reaction_time.min(horizon))
+        .first_contact(&candidate, 0.0, reaction_time.min(horizon))
         .is_some()
     {
         return None;
@@ -59,10 +62,10 @@ pub(crate) fn found_time(
         }
         let outside = zone_at(encounter, time) == Zone::After;
         let until = if outside { horizon } else { time };
-        let jump = jump(encounter, &motion, time);
+        let jump = jump(encounter, &candidate.motion, time);
         if (outside || jump.is_none())
             && encounter
-                .first_contact(&motion, reaction_time, until)
+                .first_contact(&candidate, reaction_time, until)
                 .is_none()
         {
             return Some(time);
