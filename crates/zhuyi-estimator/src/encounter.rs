@@ -142,7 +142,10 @@ impl<'a> Encounter<'a> {
                     end: if end < to { end } else { to },
                     piece: &future.along[index],
                 };
-                if let Some(found) = visitor.visit(&cell, &self.bounds(&cell)) {
+                let mut envelope = Envelope::NOTHING;
+                envelope.add(cell.piece, time + future.now, cell.end + future.now);
+                let bounds = envelope.bounds(self.datum.origin, self.margins);
+                if let Some(found) = visitor.visit(&cell, &bounds) {
                     return Some(found);
                 }
                 if end >= to {
@@ -155,56 +158,41 @@ impl<'a> Encounter<'a> {
     }
 
     /// Passes over whole pieces on which the leash tells that nothing happens: the time and the piece at which it does
-    /// not.
+    /// not. Several pieces are tried together, more after a success and fewer after a failure.
     #[inline]
     fn hasten(&self, mut time: f64, mut index: usize, to: f64, leash: &Leash) -> (f64, usize) {
+        let Datum { now, origin } = self.datum;
         let pieces = self.corridor.view.future.along;
-        let until = if leash.until < to { leash.until } else { to };
-        while let [piece, next, ..] = &pieces[index..] {
-            let cell = Cell {
-                start: time,
-                end: next.time - self.datum.now,
-                piece,
-            };
-            if cell.end > until {
-                break;
+        let until = now + if leash.until < to { leash.until } else { to };
+        let mut stride = 4;
+        'run: while stride > 0 {
+            let mut envelope = Envelope::NOTHING;
+            let (mut end, mut x) = (0.0, time + now);
+            for place in index..index + stride {
+                let (Some(piece), Some(next)) = (pieces.get(place), pieces.get(place + 1)) else {
+                    stride /= 4;
+                    continue 'run;
+                };
+                end = next.time;
+                envelope.add(piece, x, end);
+                x = end;
             }
-            if cell.end > cell.start {
-                let bounds = self.bounds(&cell);
-                let clear = leash.contact.at(cell.end) <= bounds.nearest;
-                let fast = leash.met.c1 + 2.0 * leash.met.c2 * cell.end > bounds.fastest;
-                if !clear || !(fast || leash.met.at(cell.start) > bounds.furthest) {
-                    break;
-                }
-                time = cell.end;
+            let bounds = envelope.bounds(origin, self.margins);
+            let clear = leash.contact.at(end - now) <= bounds.nearest;
+            let fast = leash.met.c1 + 2.0 * leash.met.c2 * (end - now) > bounds.fastest;
+            if end > until || !clear || !(fast || leash.met.at(time) > bounds.furthest) {
+                stride /= 4;
+                continue;
             }
-            index += 1;
+            if end > time + now {
+                time = end - now;
+            }
+            index += stride;
+            if stride < 16 {
+                stride *= 2;
+            }
         }
         (time, index)
-    }
-
-    /// What the ends of a cell tell of the actor on all of it.
-    #[inline]
-    fn bounds(&self, cell: &Cell<'_, Along>) -> Bounds {
-        let (piece, Datum { now, origin }) = (cell.piece, self.datum);
-        let (x, y) = (cell.start + now - piece.time, cell.end + now - piece.time);
-        let s = |x: f64| piece.s - origin + x * (piece.s_rate + x * piece.s_half_accel);
-        let (here, there) = (s(x), s(y));
-        let (v_here, v_there) = (piece.v + x * piece.v_rate, piece.v + y * piece.v_rate);
-        // How far a parabola strays from its chord at most.
-        let bulge = piece.s_half_accel.abs() * (y - x) * (y - x) / 4.0;
-        let fastest = if v_here > v_there { v_here } else { v_there };
-        let slow = if fastest > 0.0 { fastest } else { 0.0 };
-        let (low, high) = if here < there {
-            (here, there)
-        } else {
-            (there, here)
-        };
-        Bounds {
-            nearest: low - bulge,
-            furthest: self.margins.c1 * (high + bulge) + 2.0 * TOLERANCE,
-            fastest: self.margins.c2 * slow + 2.0 * TOLERANCE,
-        }
     }
 
     /// What happens first to a candidate on a cell.
@@ -445,6 +433,57 @@ impl Visitor for Slow<'_, '_> {
         parts(&self.candidate.motion, cell.start, cell.end)
             .any(slow)
             .then_some(())
+    }
+}
+
+/// Between what the centre of an actor and its speed lie on some pieces.
+#[derive(Clone, Copy, Debug)]
+struct Envelope {
+    s_min: f64,
+    s_max: f64,
+    v_max: f64,
+}
+
+impl Envelope {
+    const NOTHING: Self = Self {
+        s_min: f64::INFINITY,
+        s_max: f64::NEG_INFINITY,
+        v_max: 0.0,
+    };
+
+    /// Widens it by a piece from `start` to `end` on the clock of the lists.
+    #[inline]
+    fn add(&mut self, piece: &Along, start: f64, end: f64) {
+        let (x, y) = (start - piece.time, end - piece.time);
+        let s = |x: f64| piece.s + x * (piece.s_rate + x * piece.s_half_accel);
+        let (here, there) = (s(x), s(y));
+        // How far a parabola strays from its chord at most.
+        let bulge = piece.s_half_accel.abs() * ((y - x) * (y - x) / 4.0);
+        let (low, high) = if here < there {
+            (here - bulge, there + bulge)
+        } else {
+            (there - bulge, here + bulge)
+        };
+        if low < self.s_min {
+            self.s_min = low;
+        }
+        if high > self.s_max {
+            self.s_max = high;
+        }
+        for v in [piece.v + x * piece.v_rate, piece.v + y * piece.v_rate] {
+            if v > self.v_max {
+                self.v_max = v;
+            }
+        }
+    }
+
+    #[inline]
+    fn bounds(&self, origin: f64, margins: Margins) -> Bounds {
+        Bounds {
+            nearest: self.s_min - origin,
+            furthest: margins.c1 * (self.s_max - origin) + 2.0 * TOLERANCE,
+            fastest: margins.c2 * self.v_max + 2.0 * TOLERANCE,
+        }
     }
 }
 

@@ -116,20 +116,23 @@ impl Estimator {
                 .map_or(0.0, |latency| reaction(*latency))
         };
         let found = judge.first_tolerable(latencies.len() + 1, reaction_time, latencies.len() / 2);
-        let index = found.map_or(latencies.len() + 1, |found| found.index);
-        let (state, refused) = match index.checked_sub(latencies.len()) {
-            None => (State::Tolerable, index.checked_sub(1)),
+        // What is put down as the cause is what refused the candidate before; of an actor alongside, the smallest latency.
+        let (state, refused) = match found.index.checked_sub(latencies.len()) {
+            None => (State::Tolerable, found.index.checked_sub(1)),
             Some(_) if encounter.abreast() => (State::Alongside, latencies.len().checked_sub(1)),
-            Some(0) => (State::BeyondGrid, index.checked_sub(1)),
-            Some(_) => (State::Unavoidable, index.checked_sub(1)),
+            Some(0) => (State::BeyondGrid, found.index.checked_sub(1)),
+            Some(_) => (State::Unavoidable, found.index.checked_sub(1)),
+        };
+        let unmet_until = if state == State::Alongside {
+            0.0
+        } else {
+            found.unmet_until
         };
         Estimate {
             state,
-            latency: latencies.get(index).copied(),
-            t_n: found
-                .filter(|_| state != State::Alongside)
-                .and_then(|found| found.t_n),
-            binding: refused.and_then(|index| judge.refusal(reaction_time(index))),
+            latency: latencies.get(found.index).copied(),
+            t_n: found.t_n.filter(|_| state != State::Alongside),
+            binding: refused.and_then(|index| judge.refusal(reaction_time(index), unmet_until)),
             ..quiet
         }
     }

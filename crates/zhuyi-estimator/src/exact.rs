@@ -33,21 +33,23 @@ use crate::recording::AlongBlock;
 /// The candidate that was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Found {
-    /// Its place in the list.
+    /// Its place in the list, behind all where none will do.
     pub index: usize,
     /// [s] its t_n; the criterion `standstill` has none.
     pub t_n: Option<f64>,
+    /// [s] until when the one before it is known not to meet the constraints, contact or not.
+    pub unmet_until: f64,
 }
 
-/// The first of `count` candidates, given in order of falling reaction time, that is tolerable; `None` if none is.
-/// What follows a tolerable one must be tolerable. `guess` is where the answer is looked for first.
+/// The first of `count` candidates (at least one), given in order of falling reaction time, that is tolerable. What
+/// follows a tolerable one must be tolerable. `guess` is where the answer is looked for first.
 pub(crate) fn first_tolerable<F: Fn(usize) -> Candidate>(
     encounter: &Encounter<'_>,
     criterion: Criterion,
     count: usize,
     candidate: F,
     guess: usize,
-) -> Option<Found> {
+) -> Found {
     let mut search = Search {
         encounter,
         ask: Ask {
@@ -58,31 +60,37 @@ pub(crate) fn first_tolerable<F: Fn(usize) -> Candidate>(
         best: count,
         t_n: None,
         back: candidate(0),
-        front: candidate(count.checked_sub(1)?),
+        front: candidate(count - 1),
         candidate,
         guess,
     };
-    let mut outside_until = None;
+    let (mut outside_until, mut settled) = (None, None);
     for span in encounter.spans() {
         search.ask.contact = span.zone == Zone::Overlap;
         if span.zone == Zone::After {
             outside_until = Some(span.end);
         } else if search.ask.contact || search.ask.met {
-            let settled = encounter.visit(span.start, span.end, &mut search);
+            settled = encounter.visit(span.start, span.end, &mut search);
             if settled.is_some() {
                 break;
             }
         }
     }
-    match criterion {
-        Criterion::Standstill => (search.alive < count).then_some(Found {
+    let inside = Found {
+        index: search.best,
+        t_n: None,
+        unmet_until: settled.unwrap_or(encounter.corridor.horizon),
+    };
+    if criterion == Criterion::Standstill {
+        return Found {
             index: search.alive,
-            t_n: None,
-        }),
-        Criterion::Paper => search
-            .outside(outside_until)
-            .or_else(|| search.inside(count)),
+            ..inside
+        };
     }
+    search.outside(outside_until).unwrap_or_else(|| Found {
+        t_n: search.first_time(),
+        ..inside
+    })
 }
 
 /// The search under way: the borders, and the candidates on their sides that may move them.
@@ -102,14 +110,12 @@ struct Search<'e, 'a, F> {
     front: Candidate,
 }
 
-/// About how many candidates come into contact in a second of a walk.
-const FALLING_PER_SECOND: f64 = 8.0;
-
-/// The borders have met.
-struct Settled;
+/// [1/s] about how many candidates a border passes in a second of a walk: only to look first where it may be.
+const PASSED_PER_SECOND: f64 = 8.0;
 
 impl<F: Fn(usize) -> Candidate> Visitor for Search<'_, '_, F> {
-    type Found = Settled;
+    /// [s] until when the front did not meet the constraints when the borders met.
+    type Found = f64;
 
     fn passes_over(&self, block: &Cell<'_, AlongBlock>) -> bool {
         // Where the back is clear, so is the front.
@@ -123,7 +129,7 @@ impl<F: Fn(usize) -> Candidate> Visitor for Search<'_, '_, F> {
     }
 
     #[inline]
-    fn visit(&mut self, cell: &Cell<'_, Along>, bounds: &Bounds) -> Option<Settled> {
+    fn visit(&mut self, cell: &Cell<'_, Along>, bounds: &Bounds) -> Option<f64> {
         let front = match self.encounter.verdict(self.ask, &self.front, cell, bounds) {
             Verdict::Met(time) => self.lower_best(cell, bounds, time),
             verdict => verdict,
@@ -136,7 +142,7 @@ impl<F: Fn(usize) -> Candidate> Visitor for Search<'_, '_, F> {
         {
             self.raise_alive(cell, bounds);
         }
-        (self.alive == self.best).then_some(Settled)
+        (self.alive == self.best).then_some(cell.start)
     }
 }
 
@@ -166,49 +172,58 @@ impl<F: Fn(usize) -> Candidate> Search<'_, '_, F> {
     /// The front meets the constraints on this cell at `time`: so may others behind it. What happens to the new front.
     fn lower_best(&mut self, cell: &Cell<'_, Along>, bounds: &Bounds, time: f64) -> Verdict {
         let (mut low, mut front) = (self.alive, Verdict::Nothing);
+        let mut stride = self.stride(cell);
         (self.best, self.t_n) = (self.best - 1, Some(time));
         while low < self.best {
-            let middle = self.between(low, self.best);
-            let candidate = (self.candidate)(middle);
+            let far = self.best - 1 - (stride - 1).min((self.best - low) / 2);
+            let next = self.guessed(low, self.best).unwrap_or(far);
+            let candidate = (self.candidate)(next);
             match self.encounter.verdict(self.ask, &candidate, cell, bounds) {
-                Verdict::Met(time) => (self.best, self.t_n) = (middle, Some(time)),
+                Verdict::Met(time) => {
+                    (self.best, self.t_n) = (next, Some(time));
+                    stride *= 2;
+                }
                 verdict => {
                     (self.front, front) = (candidate, verdict);
-                    low = middle + 1;
+                    low = next + 1;
                 }
             }
         }
         front
     }
 
-    /// The back comes into contact on this cell: so may others before it, mostly few.
+    /// The back comes into contact on this cell: so may others before it.
     fn raise_alive(&mut self, cell: &Cell<'_, Along>, bounds: &Bounds) {
         self.alive += 1;
-        let mut high = self.best;
-        let mut stride = 1 + ((cell.end - cell.start) * FALLING_PER_SECOND) as usize;
+        let (mut high, mut stride) = (self.best, self.stride(cell));
         while self.alive < high {
-            let next = self.alive + (stride - 1).min((high - self.alive) / 2);
+            let far = self.alive + (stride - 1).min((high - self.alive) / 2);
+            let next = self.guessed(self.alive, high).unwrap_or(far);
             let candidate = (self.candidate)(next);
             if self.touches(&candidate, cell, bounds) {
                 self.alive = next + 1;
                 stride *= 2;
             } else {
                 high = next;
-                stride = 1;
                 self.back = candidate;
             }
         }
     }
 
-    /// Where to look next in [low, high): at the guess, just before it, or half-way.
-    fn between(&self, low: usize, high: usize) -> usize {
-        let range = low..high;
-        if range.contains(&self.guess) {
-            self.guess
-        } else if self.guess == high {
-            high - 1
+    /// How many candidates a border may pass on a cell.
+    fn stride(&self, cell: &Cell<'_, Along>) -> usize {
+        1 + ((cell.end - cell.start) * PASSED_PER_SECOND) as usize
+    }
+
+    /// Where in [low, high) a border is expected: at the guess or, when that is found to be on its one side, just on
+    /// the other.
+    fn guessed(&self, low: usize, high: usize) -> Option<usize> {
+        if (low..high).contains(&self.guess) {
+            Some(self.guess)
+        } else if self.guess == high && low < high {
+            Some(high - 1)
         } else {
-            usize::midpoint(low, high)
+            None
         }
     }
 
@@ -221,16 +236,14 @@ impl<F: Fn(usize) -> Candidate> Search<'_, '_, F> {
         Some(Found {
             index,
             t_n: self.first_outside((self.candidate)(index).reaction_time),
+            unmet_until: 0.0,
         })
     }
 
-    /// The candidate `best`, if there is one.
-    fn inside(&self, count: usize) -> Option<Found> {
-        let (index, met) = (self.best, self.t_n?);
-        if index == count {
-            return None;
-        }
-        let candidate = (self.candidate)(index);
+    /// The t_n of candidate `best`, if there is one.
+    fn first_time(&self) -> Option<f64> {
+        let met = self.t_n?;
+        let candidate = (self.candidate)(self.best);
         // A time outside the corridor before that counts if no contact comes later either.
         let earlier = self
             .first_outside(candidate.reaction_time)
@@ -241,11 +254,7 @@ impl<F: Fn(usize) -> Candidate> Search<'_, '_, F> {
                 .first_contact(&candidate, met, horizon)
                 .is_none()
         };
-        let t_n = earlier.filter(|_| clear()).unwrap_or(met);
-        Some(Found {
-            index,
-            t_n: Some(t_n),
-        })
+        Some(earlier.filter(|_| clear()).unwrap_or(met))
     }
 
     /// The first time from `from` on at which the actor is outside the corridor after a conflict.

@@ -17,26 +17,16 @@ pub(crate) struct Judge<'a> {
 }
 
 impl Judge<'_> {
-    /// The first of `count` reaction times, given in falling order, that will do. `guess` says where to look first.
+    /// The first of `count` reaction times (at least one), given in falling order, that will do. `guess` says where to
+    /// look first.
     pub fn first_tolerable(
         &self,
         count: usize,
         reaction_time: impl Fn(usize) -> f64,
         guess: usize,
-    ) -> Option<Found> {
-        if self.jumps() {
-            let jump_to = |index| {
-                let t_n =
-                    paper::found_time(self.encounter, reaction_time(index), self.params.max_steps)?;
-                Some(Found {
-                    index,
-                    t_n: Some(t_n),
-                })
-            };
-            return (0..count).find_map(jump_to);
-        }
-        let candidate = |index| self.encounter.candidate(reaction_time(index));
-        if self.encounter.earlier_is_better() {
+    ) -> Found {
+        if !self.jumps() && self.encounter.earlier_is_better() {
+            let candidate = |index| self.encounter.candidate(reaction_time(index));
             return exact::first_tolerable(
                 self.encounter,
                 self.params.criterion,
@@ -45,16 +35,35 @@ impl Judge<'_> {
                 guess,
             );
         }
-        (0..count).find_map(|index| {
-            let found = self.exact(reaction_time(index))?;
-            Some(Found { index, ..found })
+        let tolerated = |index| {
+            let t_n = self.tolerated(reaction_time(index))?;
+            Some(Found {
+                index,
+                t_n,
+                unmet_until: 0.0,
+            })
+        };
+        (0..count).find_map(tolerated).unwrap_or(Found {
+            index: count,
+            t_n: None,
+            unmet_until: 0.0,
         })
     }
 
-    /// The t_n of one reaction time in continuous time.
-    fn exact(&self, reaction_time: f64) -> Option<Found> {
+    /// Whether one reaction time will do, and its t_n.
+    fn tolerated(&self, reaction_time: f64) -> Option<Option<f64>> {
+        if self.jumps() {
+            return paper::found_time(self.encounter, reaction_time, self.params.max_steps)
+                .map(Some);
+        }
+        self.exactly(reaction_time)
+    }
+
+    /// The same in continuous time.
+    fn exactly(&self, reaction_time: f64) -> Option<Option<f64>> {
         let candidate = |_| self.encounter.candidate(reaction_time);
-        exact::first_tolerable(self.encounter, self.params.criterion, 1, candidate, 0)
+        let found = exact::first_tolerable(self.encounter, self.params.criterion, 1, candidate, 0);
+        (found.index == 0).then_some(found.t_n)
     }
 
     /// Whether t_n is searched by jumps, which may miss it.
@@ -64,13 +73,15 @@ impl Judge<'_> {
 
     /// What refuses a reaction time that is not tolerable; `None` if it leaves no time in the horizon at all, or if
     /// nothing does and the jumps missed every t_n.
-    pub fn refusal(&self, reaction_time: f64) -> Option<Binding> {
+    ///
+    /// Until `unmet_until` it is known not to meet the constraints.
+    pub fn refusal(&self, reaction_time: f64, unmet_until: f64) -> Option<Binding> {
         let encounter = self.encounter;
         if self.params.criterion == Criterion::Standstill {
             return Some(Binding::PassThrough);
         }
         let horizon = encounter.corridor.horizon;
-        if reaction_time > horizon || (self.jumps() && self.exact(reaction_time).is_some()) {
+        if reaction_time > horizon || (self.jumps() && self.exactly(reaction_time).is_some()) {
             return None;
         }
         let candidate = encounter.candidate(reaction_time);
@@ -83,8 +94,18 @@ impl Judge<'_> {
             let Some((from, to)) = overlap(&span, reaction_time, horizon) else {
                 continue;
             };
-            let outside = span.zone == Zone::After;
-            if outside || encounter.first_event(met, &candidate, from, to).is_some() {
+            let unknown = if from > unmet_until {
+                from
+            } else {
+                unmet_until
+            };
+            let met_later = || {
+                unknown < to
+                    && encounter
+                        .first_event(met, &candidate, unknown, to)
+                        .is_some()
+            };
+            if span.zone == Zone::After || met_later() {
                 return Some(Binding::PassThrough);
             }
             // Standing is slow enough for anything.
