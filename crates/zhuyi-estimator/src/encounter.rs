@@ -121,7 +121,7 @@ impl<'a> Encounter<'a> {
         let future = &self.corridor.view.future;
         let (mut time, mut index) = (from, future.along_index(from));
         // Before this piece no block is to be tried again.
-        let mut tried = 0;
+        let (mut tried, mut stride) = (0, 8);
         loop {
             if index >= tried {
                 if let Some((end, behind)) = self.pass_over(index, time, to, visitor) {
@@ -133,7 +133,8 @@ impl<'a> Encounter<'a> {
                 }
                 tried = (index / FINEST + 1) * FINEST;
             }
-            (time, index) = self.hasten(time, index, to, &visitor.leash(time));
+            (time, index) = self.hasten(time, index, to, &visitor.leash(time), stride);
+            stride = 2;
             let next = future.along.get(index + 1);
             let end = next.map_or(f64::INFINITY, |next| next.time - future.now);
             if end > time || time >= to {
@@ -158,14 +159,20 @@ impl<'a> Encounter<'a> {
     }
 
     /// Passes over whole pieces on which the leash tells that nothing happens: the time and the piece at which it does
-    /// not. Several pieces are tried together, more after a success and fewer after a failure.
+    /// not. Several pieces are tried together, `stride` at first, more after a success and fewer after a failure.
     #[inline]
-    fn hasten(&self, mut time: f64, mut index: usize, to: f64, leash: &Leash) -> (f64, usize) {
+    fn hasten(
+        &self,
+        mut time: f64,
+        mut index: usize,
+        to: f64,
+        leash: &Leash,
+        mut stride: usize,
+    ) -> (f64, usize) {
         let Datum { now, origin } = self.datum;
         let pieces = self.corridor.view.future.along;
         let until = now + if leash.until < to { leash.until } else { to };
-        let mut stride = 4;
-        'run: while stride > 0 {
+        'run: while stride > 1 {
             let mut envelope = Envelope::NOTHING;
             let (mut end, mut x) = (0.0, time + now);
             for place in index..index + stride {
