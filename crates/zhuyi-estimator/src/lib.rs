@@ -41,6 +41,7 @@ pub mod model;
 pub mod paper;
 pub mod params;
 pub mod recording;
+pub mod rivals;
 pub mod samples;
 
 mod conflict;
@@ -55,7 +56,7 @@ pub use aggregation::ForecastEstimate;
 pub use demand::{Demand, Watch};
 pub use estimate::{Binding, Ego, Estimate, State};
 pub use estimator::Estimator;
-pub use future::Future;
+pub use future::{ActorStart, Future};
 pub use grid::Latencies;
 pub use model::{Reaction, SafetyModel};
 pub use params::{Aggregation, Criterion, Grid, Params, Solver};
