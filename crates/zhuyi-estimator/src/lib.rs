@@ -16,6 +16,7 @@
 //! | one actor, one future | [`Estimator::trajectory`], for recorded runs [`Estimator::recorded`] |
 //! | one actor, several futures with probabilities | [`Estimator::forecast`] |
 //! | all cameras | [`Estimator::demands`] |
+//! | what RSS or another model of [`rivals`] asks for | [`Estimator::by_model`] |
 //!
 //! The answer is an [`Estimate`]: a [`State`], the tolerable latency where there is one, the time t_n that made it
 //! so, and what refused the next larger latency. [`Estimate::fpr`] turns it into frames per second.

@@ -177,8 +177,8 @@ impl Trigger {
 impl CutIn {
     /// Plays it in steps of `step` seconds.
     ///
-    /// At 60 km/h, a car at 20 km/h cuts in 10 m ahead within 1.1 s: only 1.1 x 11.1 = 12 m of closing remain, so the
-    /// ego meets it in any case. With 60 m to spare even the slowest driver brakes in time.
+    /// At 60 km/h, and a car at 20 km/h cuts in 10 m ahead. The bodies overlap sideways after 1.6/1.5 = 1.07 s, when
+    /// this driver would react, but by then 11.9 m are closed: it is hit from the side. From 60 m, 48 m are left.
     /// ```
     /// use zhuyi_estimator::rivals::cut_in::{CutIn, Performer, Verdict};
     /// let near = CutIn { ego_speed: 60.0 / 3.6, actor_speed: 20.0 / 3.6, gap: 10.0, lateral_speed: 1.5 };

@@ -11,6 +11,9 @@
 //! | [`PylotDeadline`] | `pylot` | the ego's speed | 400 ms - 10 ms per m/s above 10 m/s | ICRA 2021, EuroSys 2022 |
 //! | [`VisibilityBudget`] | `visibility` | gap, the ego's speed, lane | (gap - v^2/(2 b)) / v | arXiv 2108.13354 |
 //!
+//! [`Reaction::latency`](crate::Reaction::latency) and [`Estimator::by_model`](crate::Estimator::by_model) turn t_r into
+//! a latency by the one model of confirmation. [`cut_in`] plays whole cut-ins, to check three of them against others.
+//!
 //! All brake by 6 m/s2 unless their source says otherwise. What they share is in [`approach`]; what each leaves out
 //! stands in its file. All look at the actor as it is at t_0 and none at the rest of its future, as their sources do.
 //! [`Rivals`] holds one of each.

@@ -12,7 +12,8 @@
 //! (ICRA 2021) and "D3: A Dynamic Deadline-Driven Approach for Building Autonomous Vehicles" (EuroSys 2022). Below
 //! 10 m/s the straight line would grant more than the 400 ms of which it takes off; here it does not. It reaches
 //! zero at 50 m/s and stays there: to react at once is always accepted. Left out by the model: the actors. The
-//! deadline is the same for every actor, even one that is no danger, so `no danger` is never its answer.
+//! deadline is the same for every actor, even one that is no danger, so `no danger` is never its answer. Left out
+//! here: Pylot's other policies, one of which sets the deadline by the distance to the next obstacle.
 
 use crate::{Ego, Future, Reaction, SafetyModel};
 use zhuyi_core::Footprint;

@@ -16,10 +16,10 @@
 //! | b_min, b_max | bounds of the braking | m/s2 |
 //!
 //! This reading: both bodies are boxes along the road; both procedures are braking to standstill; the sets live in
-//! space and time, so two bodies that use one place one after the other do not touch. While the boxes can overlap
-//! sideways, the ego must stay behind the actor, or the actor behind the ego, for all pairs of brakings. r is found
-//! by bisection between 0 and 20 s. An ego that may hold for all of the 20 s is in no danger, even if a braking in
-//! between would let them touch. An actor behind the ego at t_0 is none of its business.
+//! space and time, so two bodies that use one place one after the other do not touch. The set at a time is taken as
+//! the box around all of its brakings: while the boxes can overlap sideways, the ego must stay behind the actor, or the
+//! actor behind the ego, for all pairs of brakings (with b_min = b_max that is the set itself). r is found between 0 and 20 s. An ego that may hold for all of the 20 s is in no danger, even if a braking in between would let
+//! them touch. An actor behind the ego at t_0 is none of its business.
 //!
 //! Source: Nister, Lee, Ng, Wang, "The Safety Force Field" and "An Introduction to the Safety Force Field" (NVIDIA,
 //! 2019); DriveWorks documentation, "Safety Force Field". They leave the procedure and its bounds open; the default

@@ -15,10 +15,9 @@
 //! danger.
 //!
 //! Source: Boroujerdian et al., "RoboRun: A Robot Runtime to Exploit Spatial Heterogeneity" (DAC 2021, arXiv
-//! 2108.13354): the deadline of a decision follows from speed and visibility. RoboRun measures d_stop of its drone
-//! and fits a quadratic to it; a car's is v^2/(2 b). Left out by the model: that the actor moves, so it is strict
-//! behind a moving one; left out here: RoboRun's further waypoints, of which each bounds the budget by its own
-//! visibility.
+//! 2108.13354): the deadline of a decision is the longest latency without a collision, and follows from speed and
+//! visibility. Its robot is a drone with a stopping distance of its own; here it is a car's, v^2/(2 b). Left out by
+//! the model: that the actor moves, so it is strict behind a moving one.
 
 use super::cut_in_rule::within;
 use super::{Approach, Lane};
