@@ -137,6 +137,17 @@ proptest! {
     }
 
     #[test]
+    fn law_the_response_of_a_distance_is_the_one_it_was_made_with(
+        rss in any_rss(), rho in 0.0..5.0_f64, rear in 1.0..40.0_f64, front in 0.0..40.0_f64,
+    ) {
+        let gap = rss.longitudinal_distance(rho, rear, front);
+        if gap > 0.0 {
+            let back = ranked(rss.longitudinal_response(gap, rear, front));
+            prop_assert!((back - rho).abs() < 1e-9, "{back}");
+        }
+    }
+
+    #[test]
     fn law_the_lateral_distance_of_the_response_is_the_edge_gap(
         rss in any_rss(), edge_gap in 0.0..8.0_f64, ego in -3.0..3.0_f64, other in -3.0..3.0_f64,
     ) {
