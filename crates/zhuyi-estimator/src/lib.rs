@@ -16,6 +16,7 @@
 //! | one actor, one future | [`Estimator::trajectory`], for recorded runs [`Estimator::recorded`] |
 //! | one actor, several futures with probabilities | [`Estimator::forecast`] |
 //! | all cameras | [`Estimator::demands`] |
+//! | what RSS or another model of [`rivals`] asks for | [`Estimator::by_model`] |
 //!
 //! The answer is an [`Estimate`]: a [`State`], the tolerable latency where there is one, the time t_n that made it
 //! so, and what refused the next larger latency. [`Estimate::fpr`] turns it into frames per second.
@@ -41,6 +42,7 @@ pub mod model;
 pub mod paper;
 pub mod params;
 pub mod recording;
+pub mod rivals;
 pub mod samples;
 
 mod conflict;
@@ -55,7 +57,7 @@ pub use aggregation::ForecastEstimate;
 pub use demand::{Demand, Watch};
 pub use estimate::{Binding, Ego, Estimate, State};
 pub use estimator::Estimator;
-pub use future::Future;
+pub use future::{ActorStart, Future};
 pub use grid::Latencies;
 pub use model::{Reaction, SafetyModel};
 pub use params::{Aggregation, Criterion, Grid, Params, Solver};

@@ -1,0 +1,102 @@
+//! Other models of safe driving behind the face of [`crate::model`], each asked how late the ego may react.
+//!
+//! | model | name | looks at | t_r | source |
+//! |---|---|---|---|---|
+//! | [`Rss`] | `rss` | gaps and speeds at t_0, both axes | the rho with d_min(rho) = d, the larger of both axes | arXiv 1708.06374 |
+//! | [`Rss::capped`] | `rss-capped` | the same | the same, speed capped while responding | ad-rss-lib |
+//! | [`SafetyForceField`] | `sff` | both braking to standstill | largest onset with claimed sets apart | NVIDIA 2019 |
+//! | [`CutInRule`] | `r157-cut-in` | gap, closing speed, lane | TTC - v_rel/12 | UN R157, 5.2.5.2 |
+//! | [`CarefulDriver`] | `r157-driver` | the actor going on as it does | latest onset of braking without contact | UN R157, guidance |
+//! | [`TtcThreshold`] | `ttc` | gap, closing speed, lane | TTC - 2 s | Hayward 1972 |
+//! | [`PylotDeadline`] | `pylot` | the ego's speed | 400 ms - 10 ms per m/s above 10 m/s | ICRA 2021, EuroSys 2022 |
+//! | [`VisibilityBudget`] | `visibility` | gap, the ego's speed, lane | (gap - v^2/(2 b)) / v | arXiv 2108.13354 |
+//!
+//! [`Reaction::latency`](crate::Reaction::latency) and [`Estimator::by_model`](crate::Estimator::by_model) turn t_r into
+//! a latency by the one model of confirmation. [`cut_in`] plays whole cut-ins, to check three of them against others.
+//!
+//! All brake by 6 m/s2 unless their source says otherwise. What they share is in [`approach`]; what each leaves out
+//! stands in its file. All look at the actor as it is at t_0 and none at the rest of its future, as their sources do.
+//! [`Rivals`] holds one of each.
+
+pub mod approach;
+pub mod careful_driver;
+pub mod cut_in;
+pub mod cut_in_rule;
+pub mod pylot;
+pub mod rss;
+pub mod sff;
+pub mod ttc;
+pub mod visibility;
+
+mod course;
+
+pub use approach::{Approach, Lane};
+pub use careful_driver::CarefulDriver;
+pub use cut_in_rule::CutInRule;
+pub use pylot::PylotDeadline;
+pub use rss::Rss;
+pub use sff::SafetyForceField;
+pub use ttc::TtcThreshold;
+pub use visibility::VisibilityBudget;
+
+use crate::SafetyModel;
+
+/// One of each, by default with default parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rivals {
+    /// `rss`.
+    pub rss: Rss,
+    /// `rss-capped`.
+    pub rss_capped: Rss,
+    /// `sff`.
+    pub sff: SafetyForceField,
+    /// `r157-cut-in`.
+    pub cut_in: CutInRule,
+    /// `r157-driver`.
+    pub driver: CarefulDriver,
+    /// `ttc`.
+    pub ttc: TtcThreshold,
+    /// `pylot`.
+    pub pylot: PylotDeadline,
+    /// `visibility`.
+    pub visibility: VisibilityBudget,
+}
+
+impl Default for Rivals {
+    fn default() -> Self {
+        Self {
+            rss: Rss::default(),
+            rss_capped: Rss::capped(),
+            sff: SafetyForceField::default(),
+            cut_in: CutInRule::default(),
+            driver: CarefulDriver::default(),
+            ttc: TtcThreshold::default(),
+            pylot: PylotDeadline::default(),
+            visibility: VisibilityBudget::default(),
+        }
+    }
+}
+
+impl Rivals {
+    /// All of them, in the order of the table.
+    ///
+    /// ```
+    /// use zhuyi_estimator::rivals::Rivals;
+    /// let names = Rivals::default().all().map(|model| model.name());
+    /// let expected =
+    ///     ["rss", "rss-capped", "sff", "r157-cut-in", "r157-driver", "ttc", "pylot", "visibility"];
+    /// assert_eq!(names, expected);
+    /// ```
+    pub fn all(&self) -> [&dyn SafetyModel; 8] {
+        [
+            &self.rss,
+            &self.rss_capped,
+            &self.sff,
+            &self.cut_in,
+            &self.driver,
+            &self.ttc,
+            &self.pylot,
+            &self.visibility,
+        ]
+    }
+}
