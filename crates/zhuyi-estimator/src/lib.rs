@@ -16,6 +16,7 @@
 //! | one actor, one future | [`Estimator::trajectory`], for recorded runs [`Estimator::recorded`] |
 //! | one actor, several futures with probabilities | [`Estimator::forecast`] |
 //! | all cameras | [`Estimator::demands`] |
+//! | how others would call the situation: TTC, PET, BTN .. | [`criticality::criticality`] |
 //!
 //! The answer is an [`Estimate`]: a [`State`], the tolerable latency where there is one, the time t_n that made it
 //! so, and what refused the next larger latency. [`Estimate::fpr`] turns it into frames per second.
@@ -32,6 +33,7 @@
 
 pub mod aggregation;
 pub mod constraints;
+pub mod criticality;
 pub mod demand;
 pub mod ego_motion;
 pub mod estimate;
