@@ -25,7 +25,7 @@
 //!
 //! | | here | there |
 //! |---|---|---|
-//! | TTC | speeds held; [`Approach::ttc_with_accelerations`] is the other one | accelerations held (Jansson's eq. 5.26), no vehicle stops |
+//! | TTC | speeds held; [`Approach::ttc_with_accelerations`] is the other one | accelerations held (after Jansson), no vehicle stops |
 //! | TTC* | not offered; nearest to ttc_2d | first collision of the given trajectories |
 //! | THW | speed held | along the ego's planned trajectory, to the actor's present rear |
 //! | TTB | searched from the present state, continuous; negative when too late | searched over steps of the planned trajectory; -inf when too late |

@@ -95,6 +95,30 @@ fn hand_behind_and_beside() {
     assert_eq!((overlapping.ttc, overlapping.ttc_2d), (None, Some(0.0)));
 }
 
+/// The narrowest moment lies in the middle, when both pass a point at one speed. A lead 35 m ahead at 10 m/s that gains
+/// 2 m/s2 has come 50 + 25 m after 5 s, when it is as fast as the ego's 20 m/s: the ego arrives there after 110 / 20 =
+/// 5.5 s. A follower 30 m behind at 20 m/s that loses 2 m/s2 has come 100 - 25 m by then, 45 m beyond the ego's present
+/// rear, which at 10 m/s it left after 4.5 s.
+#[test]
+fn hand_the_pet_may_lie_in_the_middle_of_a_piece() {
+    let lead = Approach {
+        actor_accel: 2.0,
+        ..steady(35.0, 20.0, 10.0)
+    };
+    let found = Scene::in_lane(&lead).ask(&limits(8.0));
+    assert!((found.pet.unwrap() - 0.5).abs() < 1e-12);
+    let follower = Approach {
+        actor_accel: -2.0,
+        ..steady(-30.0 - 2.0 * CAR.length, 10.0, 20.0)
+    };
+    let until_it_stands = Limits {
+        horizon: 10.0,
+        ..limits(8.0)
+    };
+    let found = Scene::in_lane(&follower).ask(&until_it_stands);
+    assert!((found.pet.unwrap() - 0.5).abs() < 1e-12);
+}
+
 /// The ego stands: no THW; towards it comes a car at 10 m/s, 20 m away. Braking changes nothing, so neither BTN nor TTB
 /// have a number, but the impact has. If it brakes at 5 m/s2 it stands after 10 m.
 #[test]
@@ -177,11 +201,17 @@ fn hand_a_turned_box_meets_with_its_corner() {
     );
     let found = first_contact(&ego, &turned).unwrap();
     assert!((found - (8.0 - 2_f64.sqrt()) / 10.0).abs() < 1e-12);
-    // Its corner points at the ego's lane from 2.5 m aside: 1 + 1.414 < 2.5, while the axes of the ego alone and a
-    // square that is not turned know nothing of it.
-    let aside = MovingBox {
-        pose: Pose::new(10.0, 2.5, std::f64::consts::FRAC_PI_4),
+    // Beside the ego's front left corner (2, 1) and as fast: the shadows overlap on the ego's axes, 3.2 < 2 + 1.414 and
+    // 2.2 < 1 + 1.414, but on the diagonal (3.2 + 2.2) / sqrt(2) = 3.82 is more than 3 / sqrt(2) + 1 = 3.12.
+    let beside = MovingBox {
+        pose: Pose::new(3.2, 2.2, std::f64::consts::FRAC_PI_4),
+        vx: 10.0,
         ..turned
     };
-    assert_eq!(first_contact(&ego, &aside), None);
+    assert_eq!(first_contact(&ego, &beside), None);
+    let nearer = MovingBox {
+        pose: Pose::new(2.6, 1.6, std::f64::consts::FRAC_PI_4), // 2.97
+        ..beside
+    };
+    assert_eq!(first_contact(&ego, &nearer), Some(0.0));
 }
