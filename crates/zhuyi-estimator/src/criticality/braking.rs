@@ -21,8 +21,8 @@
 //! TTB < 0 exactly where BTN > 1.
 //!
 //! Sources: Jansson, "Collision Avoidance Theory" (2005), section 5.3 (required acceleration with an actor that brakes
-//! and may stop first, BTN); Brännström, Sjöberg & Coelingh (2008) (BTN); Hillenbrand, Spieker & Kroschel, "A multilevel
-//! collision mitigation approach" (2006) (TTB). The impact speed is the speed difference at contact, the delta-v of a
+//! and may stop first, BTN); Brännström, Sjöberg & Coelingh (2008) (BTN); Hillenbrand, Spieker & Kroschel, "A
+//! multilevel collision mitigation approach" (2006) (TTB). The impact speed is the speed difference at contact, the delta-v of a
 //! partner of infinite mass; a real crash shares it between two masses. Left out: delay and build-up of the brakes,
 //! drivers who react.
 

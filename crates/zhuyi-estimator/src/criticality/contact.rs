@@ -7,8 +7,8 @@
 //!
 //! The actor stands from T_a = v_a / -a_a on where a_a opposes v_a. Between the times at which either changes its
 //! acceleration the gap is one quadratic, so the first contact is a root. To touch at one instant without pressing on
-//! is no contact. Source: Jansson, "Collision Avoidance Theory" (2005), chapter 5, for held accelerations; that vehicles stop
-//! and stay is reading R2.
+//! is no contact. Source: Jansson, "Collision Avoidance Theory" (2005), chapter 5, for held accelerations; that
+//! vehicles stop and stay is reading R2.
 
 use super::Approach;
 use crate::ego_motion::{EgoMotion, Phase, Start};

@@ -45,8 +45,10 @@ use zhuyi_core::Footprint;
 /// assert!((crossing(10.0, -12.0) - (10.0 / 3.0 - 1.4)).abs() < 1e-12);
 /// ```
 pub fn pet(ego: &Ego, actor: Footprint, future: &Future<'_>, horizon: f64) -> Option<f64> {
+    let start = Start::new(ego.speed, ego.accel);
     let mut pair = Pair {
-        ego: Start::new(ego.speed, ego.accel),
+        ego: start,
+        held: EgoMotion::held(start),
         reach: f64::midpoint(ego.footprint.length, actor.length),
         least: None,
     };
@@ -79,6 +81,7 @@ enum Outcome {
 /// The two vehicles, and the least time found so far.
 struct Pair {
     ego: Start,
+    held: EgoMotion,
     /// [m] half of both lengths.
     reach: f64,
     least: Option<f64>,
@@ -116,7 +119,7 @@ impl Pair {
             ..*ahead
         };
         let (to_rear, to_front) = (offset(-self.reach), offset(self.reach));
-        let gone = self.gone(start);
+        let gone = self.held.distance(start);
         if to_rear.c0 >= gone {
             self.actor_first(start, length, &to_rear)
         } else if to_front.c0 <= gone {
@@ -183,11 +186,6 @@ impl Pair {
         Outcome::Miss
     }
 
-    /// [m] how far the ego has gone.
-    fn gone(&self, time: f64) -> f64 {
-        EgoMotion::held(self.ego).distance(time)
-    }
-
     /// [s] when the ego has gone so far; None if never.
     fn arrival(&self, distance: f64) -> Option<f64> {
         let Start { speed, accel } = self.ego;
@@ -203,6 +201,10 @@ impl Pair {
     fn same_speed(&self, distance: &Quadratic) -> [Option<f64>; 2] {
         let Quadratic { c0, c1, c2 } = *distance;
         let relative = 2.0 * c2 - self.ego.accel;
+        if relative == 0.0 {
+            // The squares of both speeds at a point keep their difference.
+            return [None, None];
+        }
         let (a, half_b) = (2.0 * c2 * relative, c1 * relative);
         let c = c1 * c1 - self.ego.speed * self.ego.speed - 2.0 * self.ego.accel * c0;
         let root = (half_b * half_b - a * c).sqrt();
@@ -212,5 +214,5 @@ impl Pair {
     }
 }
 
-/// [s] a miss by less than this is taken for one.
+/// [s] to arrive before the other has left by less than this is rounding, and a miss by nothing.
 const ROUNDING: f64 = 1e-9;

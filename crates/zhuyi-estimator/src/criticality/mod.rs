@@ -28,6 +28,7 @@
 //! | TTC | speeds held; [`Approach::ttc_with_accelerations`] is the other one | accelerations held (after Jansson), no vehicle stops |
 //! | TTC* | not offered; nearest to ttc_2d | first collision of the given trajectories |
 //! | THW | speed held | along the ego's planned trajectory, to the actor's present rear |
+//! | DRAC | the actor's speed held; its acceleration is BTN's business | another name of the required acceleration |
 //! | TTB | searched from the present state, continuous; negative when too late | searched over steps of the planned trajectory; -inf when too late |
 //! | BTN | 0 where nothing is required, None out of the corridor; the actor stops | 0 for both |
 //! | PET | per point of the road, also in car following | per conflict area, at intersections only |
