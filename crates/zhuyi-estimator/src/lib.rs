@@ -17,6 +17,7 @@
 //! | one actor, several futures with probabilities | [`Estimator::forecast`] |
 //! | all cameras | [`Estimator::demands`] |
 //! | what RSS or another model of [`rivals`] asks for | [`Estimator::by_model`] |
+//! | how others would call the situation: TTC, PET, BTN .. | [`criticality::criticality`] |
 //!
 //! The answer is an [`Estimate`]: a [`State`], the tolerable latency where there is one, the time t_n that made it
 //! so, and what refused the next larger latency. [`Estimate::fpr`] turns it into frames per second.
@@ -33,6 +34,7 @@
 
 pub mod aggregation;
 pub mod constraints;
+pub mod criticality;
 pub mod demand;
 pub mod ego_motion;
 pub mod estimate;

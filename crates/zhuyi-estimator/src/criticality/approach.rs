@@ -1,0 +1,138 @@
+//! One vehicle behind another in one lane, and what places and speeds alone say about it: TTC, THW, DRAC.
+//!
+//! ```text
+//!   ego  v_e, a_e  |<--- g --->|  actor  v_a, a_a         TTC  = g / (v_e - v_a)
+//!   [========]>                [========]>                THW  = g / v_e
+//!                                                         DRAC = (v_e - v_a)^2 / (2 g)
+//! ```
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | g | gap, the ego's front bumper to the actor's rear bumper | m |
+//! | v_e, v_a | speeds along the road | m/s |
+//! | a_e, a_a | accelerations along the road; TTC, THW and DRAC do not look at them | m/s2 |
+//!
+//! Sources: TTC: Hayward, "Near miss determination through use of a scale of danger" (1972). THW: the clearance over
+//! the speed, which ISO 15622 calls time gap and UN R157 uses; Vogel (2003) and Evans (1991) count from front to
+//! front, which is the actor's length over v_e more when the actor is as fast as the ego. DRAC: Cooper & Ferguson,
+//! "Traffic studies at T-junctions. A conflict simulation model" (1976). Left out: everything lateral, see
+//! [`super::boxes`].
+
+use crate::ego_motion::Start;
+use crate::{Ego, Future};
+use zhuyi_core::Footprint;
+
+/// An ego and the actor ahead of it in its corridor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Approach {
+    /// [m] g, at least 0.
+    pub gap: f64,
+    /// [m/s] v_e, never negative.
+    pub ego_speed: f64,
+    /// [m/s2] a_e, signed; 0 for a standing ego (reading R12).
+    pub ego_accel: f64,
+    /// [m/s] v_a, negative when it comes towards the ego.
+    pub actor_speed: f64,
+    /// [m/s2] a_a, signed.
+    pub actor_accel: f64,
+}
+
+impl Approach {
+    /// The actor's present state on `future` beside the ego's. None unless the actor is in the ego's corridor (reading
+    /// R7) with its rear bumper not behind the ego's front bumper.
+    pub fn of(
+        ego: &Ego,
+        actor: Footprint,
+        future: &Future<'_>,
+        lateral_margin: f64,
+    ) -> Option<Self> {
+        let present = Present::of(future)?;
+        let reach = f64::midpoint(ego.footprint.width, actor.width) + lateral_margin;
+        let gap = present.s - ego.s - f64::midpoint(ego.footprint.length, actor.length);
+        let ahead = gap >= 0.0 && (present.d - ego.d).abs() < reach;
+        let start = Start::new(ego.speed, ego.accel);
+        ahead.then_some(Self {
+            gap,
+            ego_speed: start.speed,
+            ego_accel: start.accel,
+            actor_speed: present.speed,
+            actor_accel: present.accel,
+        })
+    }
+
+    /// [m/s] v_e - v_a, positive when approaching.
+    pub fn closing_speed(&self) -> f64 {
+        self.ego_speed - self.actor_speed
+    }
+
+    /// [s] time to collision with both speeds held; None if not closing.
+    ///
+    /// 30 m at 25 against 10 m/s: 30/15 = 2 s.
+    /// ```
+    /// use zhuyi_estimator::criticality::Approach;
+    /// let mut pair =
+    ///     Approach { gap: 30.0, ego_speed: 25.0, ego_accel: 0.0, actor_speed: 10.0, actor_accel: 0.0 };
+    /// assert_eq!(pair.ttc(), Some(2.0));
+    /// pair.actor_speed = 25.0;
+    /// assert_eq!(pair.ttc(), None);
+    /// ```
+    pub fn ttc(&self) -> Option<f64> {
+        self.while_closing(|closing| self.gap / closing)
+    }
+
+    /// [s] time headway, bumper to bumper; None if the ego stands.
+    ///
+    /// 30 m at 25 m/s: 1.2 s.
+    /// ```
+    /// # use zhuyi_estimator::criticality::Approach;
+    /// let pair = Approach { gap: 30.0, ego_speed: 25.0, ego_accel: 0.0, actor_speed: 10.0, actor_accel: 0.0 };
+    /// assert_eq!(pair.thw(), Some(1.2));
+    /// ```
+    pub fn thw(&self) -> Option<f64> {
+        (self.ego_speed > 0.0).then(|| self.gap / self.ego_speed)
+    }
+
+    /// [m/s2] deceleration rate to avoid a crash: what brings the ego to the actor's held speed within the gap. None if
+    /// not closing, or with no gap left.
+    ///
+    /// 30 m at 25 against 10 m/s: 15^2 / 60 = 3.75 m/s2.
+    /// ```
+    /// # use zhuyi_estimator::criticality::Approach;
+    /// let pair = Approach { gap: 30.0, ego_speed: 25.0, ego_accel: 0.0, actor_speed: 10.0, actor_accel: 0.0 };
+    /// assert_eq!(pair.drac(), Some(3.75));
+    /// ```
+    pub fn drac(&self) -> Option<f64> {
+        self.while_closing(|closing| closing * closing / (2.0 * self.gap))
+            .filter(|decel| decel.is_finite())
+    }
+
+    fn while_closing(&self, value: impl Fn(f64) -> f64) -> Option<f64> {
+        let closing = self.closing_speed();
+        (closing > 0.0).then(|| value(closing))
+    }
+}
+
+/// Where an actor is and how it moves at `now`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Present {
+    pub s: f64,
+    pub speed: f64,
+    pub accel: f64,
+    pub d: f64,
+    pub d_rate: f64,
+}
+
+impl Present {
+    /// None for a future without pieces.
+    pub fn of(future: &Future<'_>) -> Option<Self> {
+        let along = future.along.get(future.along_index(0.0))?;
+        let across = future.across.get(future.across_index(0.0))?;
+        Some(Self {
+            s: along.s_at(future.now),
+            speed: along.v_at(future.now),
+            accel: along.v_rate,
+            d: across.d + (future.now - across.time) * across.d_rate,
+            d_rate: across.d_rate,
+        })
+    }
+}
