@@ -48,6 +48,62 @@ impl<'a> Encounter<'a> {
         })
     }
 
+    /// [s] about the longest tolerable reaction time, told by how the actor starts and how it ends: only to look first
+    /// where the answer may be.
+    ///
+    /// Behind an actor that comes to stand, d(t_r) with the braking must fit into C1 s at the end; behind one that goes
+    /// on, the speeds must agree before the gap is gone, with the mean acceleration of the actor. Either is a quadratic
+    /// in t_r: `(a_0 (1 + a_0/b) / 2) t_r^2 + v (1 + a_0/b) t_r + v^2 / 2b = room`, in the frame of the actor for the
+    /// latter.
+    pub fn guess(&self) -> f64 {
+        let (future, horizon) = (&self.corridor.view.future, self.corridor.horizon);
+        let end = {
+            let last = future.along[future.along.len() - 1].time - future.now;
+            if last > 0.0 && last < horizon {
+                last
+            } else {
+                horizon
+            }
+        };
+        let ((gap, speed), (last_gap, last_speed)) = (self.actor(0.0), self.actor(end));
+        let mean_accel = (last_speed - speed) / end;
+        let held = self.corridor.held;
+        let reaction = |room: f64, speed: f64, accel: f64, decel: f64| {
+            let share = 1.0 + accel / decel;
+            Quadratic {
+                c0: room - speed * speed / (2.0 * decel),
+                c1: -speed * share,
+                c2: -accel * share / 2.0,
+            }
+            .first_below(horizon)
+            .unwrap_or(horizon)
+        };
+        let stopping = reaction(
+            self.margins.c1 * last_gap,
+            held.speed,
+            held.accel,
+            self.decel,
+        );
+        let closing = held.speed - speed;
+        let following = if closing > 0.0 && self.decel + mean_accel > 0.0 {
+            reaction(
+                gap,
+                closing,
+                held.accel - mean_accel,
+                self.decel + mean_accel,
+            )
+        } else {
+            horizon
+        };
+        if last_speed > 1.0 {
+            following
+        } else if stopping < following {
+            stopping
+        } else {
+            following
+        }
+    }
+
     /// The zones of [0, horizon], in order.
     pub fn spans(&self) -> impl Iterator<Item = Span> {
         self.spans.iter(&self.corridor)
@@ -462,25 +518,30 @@ impl Envelope {
     #[inline]
     fn add(&mut self, piece: &Along, start: f64, end: f64) {
         let (x, y) = (start - piece.time, end - piece.time);
-        let s = |x: f64| piece.s + x * (piece.s_rate + x * piece.s_half_accel);
-        let (here, there) = (s(x), s(y));
-        // How far a parabola strays from its chord at most.
-        let bulge = piece.s_half_accel.abs() * ((y - x) * (y - x) / 4.0);
-        let (low, high) = if here < there {
-            (here - bulge, there + bulge)
-        } else {
-            (there - bulge, here + bulge)
+        let at = |x: f64| {
+            let s = piece.s + x * (piece.s_rate + x * piece.s_half_accel);
+            (s, piece.v + x * piece.v_rate)
         };
+        let (here, there) = (if x == 0.0 { (piece.s, piece.v) } else { at(x) }, at(y));
+        let (mut low, mut high) = if here.0 < there.0 {
+            (here.0, there.0)
+        } else {
+            (there.0, here.0)
+        };
+        if piece.s_half_accel != 0.0 {
+            // How far a parabola strays from its chord at most.
+            let bulge = piece.s_half_accel.abs() * ((y - x) * (y - x) / 4.0);
+            (low, high) = (low - bulge, high + bulge);
+        }
         if low < self.s_min {
             self.s_min = low;
         }
         if high > self.s_max {
             self.s_max = high;
         }
-        for v in [piece.v + x * piece.v_rate, piece.v + y * piece.v_rate] {
-            if v > self.v_max {
-                self.v_max = v;
-            }
+        let fastest = if here.1 > there.1 { here.1 } else { there.1 };
+        if fastest > self.v_max {
+            self.v_max = fastest;
         }
     }
 

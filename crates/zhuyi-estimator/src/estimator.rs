@@ -115,7 +115,11 @@ impl Estimator {
                 .get(index)
                 .map_or(0.0, |latency| reaction(*latency))
         };
-        let found = judge.first_tolerable(latencies.len() + 1, reaction_time, latencies.len() / 2);
+        let guess = {
+            let longest = encounter.guess();
+            latencies.partition_point(|latency| reaction(*latency) > longest)
+        };
+        let found = judge.first_tolerable(latencies.len() + 1, reaction_time, guess);
         // What is put down as the cause is what refused the candidate before; of an actor alongside, the smallest latency.
         let (state, refused) = match found.index.checked_sub(latencies.len()) {
             None => (State::Tolerable, found.index.checked_sub(1)),

@@ -23,6 +23,8 @@
 //! constraints on it, or if `alive` comes into contact. Only then are the candidates between looked through, by
 //! bisection. The walk ends when the borders meet.
 
+use std::ops::Range;
+
 use zhuyi_core::Along;
 
 use crate::Criterion;
@@ -41,14 +43,13 @@ pub(crate) struct Found {
     pub unmet_until: f64,
 }
 
-/// The first of `count` candidates (at least one), given in order of falling reaction time, that is tolerable. What
-/// follows a tolerable one must be tolerable. `guess` is where the answer is looked for first.
+/// The first candidate of a range (not empty), of candidates in order of falling reaction time, that is tolerable; the
+/// end of the range if none is. What follows a tolerable one must be tolerable.
 pub(crate) fn first_tolerable<F: Fn(usize) -> Candidate>(
     encounter: &Encounter<'_>,
     criterion: Criterion,
-    count: usize,
+    range: Range<usize>,
     candidate: F,
-    guess: usize,
 ) -> Found {
     let mut search = Search {
         encounter,
@@ -56,13 +57,12 @@ pub(crate) fn first_tolerable<F: Fn(usize) -> Candidate>(
             contact: false,
             met: criterion == Criterion::Paper,
         },
-        alive: 0,
-        best: count,
+        alive: range.start,
+        best: range.end,
         t_n: None,
-        back: candidate(0),
-        front: candidate(count - 1),
+        back: candidate(range.start),
+        front: candidate(range.end - 1),
         candidate,
-        guess,
     };
     let (mut outside_until, mut settled) = (None, None);
     for span in encounter.spans() {
@@ -93,13 +93,49 @@ pub(crate) fn first_tolerable<F: Fn(usize) -> Candidate>(
     })
 }
 
+/// The same of `count` candidates (at least one), sooner where the answer is within one of `guess`.
+pub(crate) fn first_tolerable_near<F: Fn(usize) -> Candidate>(
+    encounter: &Encounter<'_>,
+    criterion: Criterion,
+    count: usize,
+    candidate: F,
+    guess: usize,
+) -> Found {
+    let search = |range| first_tolerable(encounter, criterion, range, &candidate);
+    let (start, end) = (
+        guess.saturating_sub(1).min(count - 1),
+        (guess + 2).min(count),
+    );
+    let near = search(start..end);
+    if near.index == start && start > 0 {
+        let before = search(0..start);
+        if before.index < start {
+            return before;
+        }
+        return Found {
+            unmet_until: before.unmet_until,
+            ..near
+        };
+    }
+    if near.index == end && end < count {
+        let behind = search(end..count);
+        if behind.index > end {
+            return behind;
+        }
+        return Found {
+            unmet_until: near.unmet_until,
+            ..behind
+        };
+    }
+    near
+}
+
 /// The search under way: the borders, and the candidates on their sides that may move them.
 struct Search<'e, 'a, F> {
     encounter: &'e Encounter<'a>,
     /// What matters in this zone.
     ask: Ask,
     candidate: F,
-    guess: usize,
     alive: usize,
     best: usize,
     /// Of candidate `best`.
@@ -175,8 +211,7 @@ impl<F: Fn(usize) -> Candidate> Search<'_, '_, F> {
         let mut stride = self.stride(cell);
         (self.best, self.t_n) = (self.best - 1, Some(time));
         while low < self.best {
-            let far = self.best - 1 - (stride - 1).min((self.best - low) / 2);
-            let next = self.guessed(low, self.best).unwrap_or(far);
+            let next = self.best - 1 - (stride - 1).min((self.best - low) / 2);
             let candidate = (self.candidate)(next);
             match self.encounter.verdict(self.ask, &candidate, cell, bounds) {
                 Verdict::Met(time) => {
@@ -197,8 +232,7 @@ impl<F: Fn(usize) -> Candidate> Search<'_, '_, F> {
         self.alive += 1;
         let (mut high, mut stride) = (self.best, self.stride(cell));
         while self.alive < high {
-            let far = self.alive + (stride - 1).min((high - self.alive) / 2);
-            let next = self.guessed(self.alive, high).unwrap_or(far);
+            let next = self.alive + (stride - 1).min((high - self.alive) / 2);
             let candidate = (self.candidate)(next);
             if self.touches(&candidate, cell, bounds) {
                 self.alive = next + 1;
@@ -213,18 +247,6 @@ impl<F: Fn(usize) -> Candidate> Search<'_, '_, F> {
     /// How many candidates a border may pass on a cell.
     fn stride(&self, cell: &Cell<'_, Along>) -> usize {
         1 + ((cell.end - cell.start) * PASSED_PER_SECOND) as usize
-    }
-
-    /// Where in [low, high) a border is expected: at the guess or, when that is found to be on its one side, just on
-    /// the other.
-    fn guessed(&self, low: usize, high: usize) -> Option<usize> {
-        if (low..high).contains(&self.guess) {
-            Some(self.guess)
-        } else if self.guess == high && low < high {
-            Some(high - 1)
-        } else {
-            None
-        }
     }
 
     /// The first candidate that touches nobody in the whole horizon and has reacted while the actor is outside the

@@ -27,7 +27,7 @@ impl Judge<'_> {
     ) -> Found {
         if !self.jumps() && self.encounter.earlier_is_better() {
             let candidate = |index| self.encounter.candidate(reaction_time(index));
-            return exact::first_tolerable(
+            return exact::first_tolerable_near(
                 self.encounter,
                 self.params.criterion,
                 count,
@@ -62,7 +62,7 @@ impl Judge<'_> {
     /// The same in continuous time.
     fn exactly(&self, reaction_time: f64) -> Option<Option<f64>> {
         let candidate = |_| self.encounter.candidate(reaction_time);
-        let found = exact::first_tolerable(self.encounter, self.params.criterion, 1, candidate, 0);
+        let found = exact::first_tolerable(self.encounter, self.params.criterion, 0..1, candidate);
         (found.index == 0).then_some(found.t_n)
     }
 
