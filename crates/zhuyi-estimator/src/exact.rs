@@ -29,8 +29,9 @@ use zhuyi_core::Along;
 
 use crate::Criterion;
 use crate::conflict::{Span, Zone};
-use crate::encounter::{Ask, Bounds, Candidate, Cell, Encounter, Leash, Verdict, Visitor, overlap};
+use crate::encounter::{Ask, Candidate, Encounter, Verdict, overlap};
 use crate::recording::AlongBlock;
+use crate::walk::{Bounds, Cell, Leash, Visitor};
 
 /// The candidate that was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -170,11 +171,11 @@ impl<F: Fn(usize) -> Candidate> Visitor for Search<'_, '_, F> {
             Verdict::Met(time) => self.lower_best(cell, bounds, time),
             verdict => verdict,
         };
-        if let Verdict::Contact(_) = front {
+        if let Verdict::Contact(time) = front {
             self.alive = self.best;
-        } else if self.ask.contact
-            && self.alive + 1 < self.best
-            && self.touches(&self.back, cell, bounds)
+            return Some(time);
+        }
+        if self.ask.contact && self.alive + 1 < self.best && self.touches(&self.back, cell, bounds)
         {
             self.raise_alive(cell, bounds);
         }

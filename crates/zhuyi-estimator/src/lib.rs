@@ -51,9 +51,11 @@ mod conflict;
 mod encounter;
 mod estimator;
 mod exact;
+mod guess;
 mod judge;
 mod quadratic;
 mod stretch;
+mod walk;
 
 pub use aggregation::ForecastEstimate;
 pub use demand::{Demand, Watch};

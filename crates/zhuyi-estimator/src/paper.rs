@@ -81,9 +81,8 @@ fn jump(encounter: &Encounter<'_>, motion: &EgoMotion, time: f64) -> Option<f64>
     let (distance, speed) = (motion.distance(time), motion.speed(time));
     let overrun = -distance_slack(encounter.margins.c1, gap, distance);
     let excess = -speed_slack(encounter.margins.c2, actor_speed, speed);
-    let by_distance =
-        (overrun > TOLERANCE).then(|| distance_jump(speed, overrun, encounter.decel()));
-    let by_speed = (excess > TOLERANCE).then(|| speed_jump(excess, encounter.decel()));
+    let by_distance = (overrun > TOLERANCE).then(|| distance_jump(speed, overrun, encounter.decel));
+    let by_speed = (excess > TOLERANCE).then(|| speed_jump(excess, encounter.decel));
     match (by_distance, by_speed) {
         (Some(a), Some(b)) => Some(a.min(b)),
         (a, b) => a.or(b),

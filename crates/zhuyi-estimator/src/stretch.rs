@@ -23,7 +23,6 @@ pub(crate) struct Datum {
 /// Ego and actor on one piece of time; all polynomials are in x = t - start.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stretch {
-    pub start: f64,
     pub length: f64,
     /// s(t).
     pub gap: Quadratic,
@@ -49,7 +48,6 @@ impl Stretch {
         };
         let actor_speed = (piece.v + x * piece.v_rate, piece.v_rate);
         Self {
-            start,
             length: end - start,
             gap: s.from(x),
             actor_speed,
