@@ -7,7 +7,7 @@
 //! An actor counts for every camera that has its centre or a corner in view at t_0, with the latency at which that
 //! camera runs now as l_0. A camera that covers nobody may take the largest latency. An actor alongside is helped
 //! by no rate: it is counted and asks for nothing. Left out: occlusion; [`Estimator::demands_where`] takes any
-//! other rule of who counts.
+//! other rule of who counts, and [`Estimator::demands_into`] writes into a list of the caller's and allocates nothing.
 
 use crate::estimate::State;
 use crate::grid::fpr;
@@ -88,33 +88,36 @@ impl Estimator {
         rig: &[Watch<'_>],
         actors: impl IntoIterator<Item = (ActorId, &'a Body)>,
         counts: impl Fn(&Camera, ActorId, &Body) -> bool,
-        mut estimate: impl FnMut(ActorId, f64) -> Estimate,
+        estimate: impl FnMut(ActorId, f64) -> Estimate,
     ) -> Vec<Demand> {
         let mut demands = vec![self.quiet(); rig.len()];
-        let mut answers: Vec<(f64, Estimate)> = Vec::with_capacity(rig.len());
-        for (actor, body) in actors {
-            answers.clear();
-            for (watch, demand) in rig.iter().zip(&mut demands) {
-                if !counts(watch.camera, actor, body) {
-                    continue;
-                }
-                let known = answers
-                    .iter()
-                    .find(|(latency, _)| *latency == watch.current_latency);
-                let answer = match known {
-                    Some((_, answer)) => *answer,
-                    None => estimate(actor, watch.current_latency),
-                };
-                if known.is_none() {
-                    answers.push((watch.current_latency, answer));
-                }
-                self.add(demand, actor, &answer);
-            }
-        }
+        self.demands_into(rig, actors, counts, estimate, &mut demands);
         demands
     }
 
-    fn quiet(&self) -> Demand {
+    /// The same, into the front of `demands`, one per camera; cameras for which it has no room are left out.
+    pub fn demands_into<'a>(
+        &self,
+        rig: &[Watch<'_>],
+        actors: impl IntoIterator<Item = (ActorId, &'a Body)>,
+        counts: impl Fn(&Camera, ActorId, &Body) -> bool,
+        mut estimate: impl FnMut(ActorId, f64) -> Estimate,
+        demands: &mut [Demand],
+    ) {
+        demands.fill(self.quiet());
+        for (actor, body) in actors {
+            let mut answers = Answers::default();
+            for (watch, demand) in rig.iter().zip(&mut *demands) {
+                if counts(watch.camera, actor, body) {
+                    let answer = answers.of(watch.current_latency, |l_0| estimate(actor, l_0));
+                    self.add(demand, actor, &answer);
+                }
+            }
+        }
+    }
+
+    /// What a camera is asked for that covers nobody.
+    pub fn quiet(&self) -> Demand {
         let latency = self.largest();
         Demand {
             latency,
@@ -142,6 +145,29 @@ impl Estimator {
             demand.fpr = fpr(latency);
             demand.actor = Some(actor);
         }
+    }
+}
+
+/// The most current latencies for which answers are remembered; a rig rarely has more.
+const REMEMBERED: usize = 8;
+
+/// The answers for one actor, each asked for once per current latency.
+#[derive(Default)]
+pub(crate) struct Answers {
+    known: [Option<(f64, Estimate)>; REMEMBERED],
+}
+
+impl Answers {
+    /// The answer at a current latency.
+    pub fn of(&mut self, current_latency: f64, ask: impl FnOnce(f64) -> Estimate) -> Estimate {
+        for known in &mut self.known {
+            match known {
+                Some((latency, answer)) if *latency == current_latency => return *answer,
+                Some(_) => {}
+                None => return known.insert((current_latency, ask(current_latency))).1,
+            }
+        }
+        ask(current_latency)
     }
 }
 

@@ -3,6 +3,8 @@
 //! The answer is the largest latency of the grid for which a t_n in [t_r, horizon] exists, or why there is none,
 //! and which constraint refused the next larger latency.
 
+use std::cmp::Ordering;
+
 use crate::grid::{MAX_FPR, fpr};
 use zhuyi_core::Footprint;
 
@@ -36,6 +38,23 @@ pub enum State {
     Alongside,
 }
 
+impl State {
+    /// Its name in files.
+    ///
+    /// ```
+    /// assert_eq!(zhuyi_estimator::State::BeyondGrid.name(), "beyond_grid");
+    /// ```
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Tolerable => "tolerable",
+            Self::BeyondGrid => "beyond_grid",
+            Self::Unavoidable => "unavoidable",
+            Self::Alongside => "alongside",
+        }
+    }
+}
+
 /// What refuses a latency.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Binding {
@@ -45,6 +64,21 @@ pub enum Binding {
     Speed,
     /// Reading R6: both constraints would hold at some t_n, but the ego drives through the actor before it.
     PassThrough,
+}
+
+impl Binding {
+    /// Its name in files.
+    ///
+    /// ```
+    /// assert_eq!(zhuyi_estimator::Binding::PassThrough.name(), "pass_through");
+    /// ```
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Distance => "distance",
+            Self::Speed => "speed",
+            Self::PassThrough => "pass_through",
+        }
+    }
 }
 
 /// The answer for one actor.
@@ -84,6 +118,52 @@ impl Estimate {
             (State::Alongside, _) => None,
             (_, Some(latency)) => Some(fpr(latency)),
             (_, None) => Some(MAX_FPR),
+        }
+    }
+
+    /// [Hz] how much the actor matters: 1/l (paper, "work prioritization"), as [`Estimate::fpr`]; zero where no rate
+    /// helps.
+    ///
+    /// ```
+    /// use zhuyi_estimator::{Estimate, State};
+    /// let estimate =
+    ///     Estimate { state: State::Tolerable, latency: Some(0.25), t_n: None, binding: None, extrapolated: 0.0 };
+    /// assert_eq!(estimate.importance(), 4.0);
+    /// ```
+    pub fn importance(&self) -> f64 {
+        self.fpr().unwrap_or(0.0)
+    }
+
+    /// Ranks answers from the most to the least important: unavoidable, beyond the grid, then by falling 1/l. Actors
+    /// without conflict come last, and behind them those that no rate helps.
+    ///
+    /// ```
+    /// use zhuyi_estimator::{Estimate, State};
+    /// let answer = |state, latency| Estimate { state, latency, t_n: None, binding: None, extrapolated: 0.0 };
+    /// let mut answers = [
+    ///     answer(State::None, Some(1.0)),
+    ///     answer(State::Tolerable, Some(0.5)),
+    ///     answer(State::Unavoidable, None),
+    ///     answer(State::Tolerable, Some(0.033)),
+    /// ];
+    /// answers.sort_by(Estimate::by_importance);
+    /// assert_eq!(answers.map(|answer| answer.latency), [None, Some(0.033), Some(0.5), Some(1.0)]);
+    /// ```
+    pub fn by_importance(&self, other: &Self) -> Ordering {
+        self.rank().cmp(&other.rank()).then(
+            self.latency
+                .unwrap_or(0.0)
+                .total_cmp(&other.latency.unwrap_or(0.0)),
+        )
+    }
+
+    fn rank(&self) -> u8 {
+        match self.state {
+            State::Unavoidable => 0,
+            State::BeyondGrid => 1,
+            State::Tolerable => 2,
+            State::None => 3,
+            State::Alongside => 4,
         }
     }
 }

@@ -70,7 +70,41 @@ impl Estimator {
         future: &Future<'_>,
         current_latency: f64,
     ) -> Estimate {
-        self.answer(ego, actor, View::plain(*future), current_latency)
+        self.answer(ego, actor, View::plain(*future), current_latency, None)
+    }
+
+    /// The same answer, sooner where it is what it was a step ago: `last` is looked at first and nothing else if it
+    /// still holds. It need not be right.
+    ///
+    /// ```
+    /// # use zhuyi_core::{Across, Along, Footprint};
+    /// # use zhuyi_estimator::{Ego, Estimator, Future, Params};
+    /// # let car = Footprint { length: 4.0, width: 2.0 };
+    /// # let mut ego = Ego { s: 0.0, d: 0.0, speed: 10.0, accel: 0.0, footprint: car };
+    /// # let along = [Along::constant_accel(0.0, 54.0, 0.0, 0.0)];
+    /// # let across = [Across { time: 0.0, d: 0.0, d_rate: 0.0 }];
+    /// # let future = Future { along: &along, across: &across, known_until: 20.0, now: 0.0 };
+    /// # let estimator = Estimator::new(Params::default());
+    /// let before = estimator.trajectory(&ego, car, &future, 1.0 / 30.0);
+    /// ego.s += 0.1;
+    /// let now = estimator.trajectory_after(&ego, car, &future, 1.0 / 30.0, &before);
+    /// assert_eq!(now, estimator.trajectory(&ego, car, &future, 1.0 / 30.0));
+    /// ```
+    pub fn trajectory_after(
+        &self,
+        ego: &Ego,
+        actor: Footprint,
+        future: &Future<'_>,
+        current_latency: f64,
+        last: &Estimate,
+    ) -> Estimate {
+        self.answer(
+            ego,
+            actor,
+            View::plain(*future),
+            current_latency,
+            Some(last),
+        )
     }
 
     /// The same for a recorded future with `now` on its clock as t_0: the same answer, sooner for long lists.
@@ -82,7 +116,20 @@ impl Estimator {
         now: f64,
         current_latency: f64,
     ) -> Estimate {
-        self.answer(ego, actor, recording.view(now), current_latency)
+        self.answer(ego, actor, recording.view(now), current_latency, None)
+    }
+
+    /// The same, sooner where the answer is `last`; see [`Estimator::trajectory_after`].
+    pub fn recorded_after(
+        &self,
+        ego: &Ego,
+        actor: Footprint,
+        recording: &Recording,
+        now: f64,
+        current_latency: f64,
+        last: &Estimate,
+    ) -> Estimate {
+        self.answer(ego, actor, recording.view(now), current_latency, Some(last))
     }
 
     fn answer(
@@ -91,6 +138,7 @@ impl Estimator {
         actor: Footprint,
         view: View<'_>,
         current_latency: f64,
+        last: Option<&Estimate>,
     ) -> Estimate {
         let reaction =
             |latency: f64| reaction_time(latency, current_latency, self.params.confirm_frames);
@@ -115,9 +163,12 @@ impl Estimator {
                 .get(index)
                 .map_or(0.0, |latency| reaction(*latency))
         };
-        let guess = {
-            let longest = encounter.guess();
-            latencies.partition_point(|latency| reaction(*latency) > longest)
+        let guess = match last.and_then(|last| self.place(last)) {
+            Some(place) => place,
+            None => {
+                let longest = encounter.guess();
+                latencies.partition_point(|latency| reaction(*latency) > longest)
+            }
         };
         let found = judge.first_tolerable(latencies.len() + 1, reaction_time, guess);
         // What is put down as the cause is what refused the candidate before; of an actor alongside, the smallest latency.
@@ -138,6 +189,19 @@ impl Estimator {
             t_n: found.t_n.filter(|_| state != State::Alongside),
             binding: refused.and_then(|index| judge.refusal(reaction_time(index), unmet_until)),
             ..quiet
+        }
+    }
+
+    /// Where an answer stands among the candidates; nowhere if there was no conflict, or if no rate helped.
+    fn place(&self, estimate: &Estimate) -> Option<usize> {
+        let latencies = self.latencies();
+        match estimate.state {
+            State::None | State::Alongside => None,
+            State::Tolerable => {
+                let latency = estimate.latency?;
+                Some(latencies.partition_point(|larger| *larger > latency))
+            }
+            State::BeyondGrid | State::Unavoidable => Some(latencies.len()),
         }
     }
 }

@@ -94,7 +94,7 @@ pub(crate) fn first_tolerable<F: Fn(usize) -> Candidate>(
     })
 }
 
-/// The same of `count` candidates (at least one), sooner where the answer is within one of `guess`.
+/// The same of `count` candidates (at least one), sooner where the answer is `guess`.
 pub(crate) fn first_tolerable_near<F: Fn(usize) -> Candidate>(
     encounter: &Encounter<'_>,
     criterion: Criterion,
@@ -105,7 +105,7 @@ pub(crate) fn first_tolerable_near<F: Fn(usize) -> Candidate>(
     let search = |range| first_tolerable(encounter, criterion, range, &candidate);
     let (start, end) = (
         guess.saturating_sub(1).min(count - 1),
-        (guess + 2).min(count),
+        (guess + 1).min(count),
     );
     let near = search(start..end);
     if near.index == start && start > 0 {

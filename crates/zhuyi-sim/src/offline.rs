@@ -2,7 +2,7 @@
 //!
 //! This is the paper's pre-deployment use: ground truth, one trajectory per actor, the one that was driven.
 
-use zhuyi_core::{ActorId, CameraId, FrameRates, SimTime};
+use zhuyi_core::{ActorId, Body, Camera, CameraId, FrameRates, SimTime};
 use zhuyi_estimator::{Demand, Ego, Estimate, Estimator, Recording, Watch};
 use zhuyi_perception::Eye;
 use zhuyi_scenario::System;
@@ -41,6 +41,18 @@ impl<'a> Hindsight<'a> {
         actor: ActorId,
         current_latency: f64,
     ) -> Estimate {
+        self.estimate_after(estimator, row, actor, current_latency, None)
+    }
+
+    /// The same, looked for first where it was.
+    fn estimate_after(
+        &self,
+        estimator: &Estimator,
+        row: &Row<'_>,
+        actor: ActorId,
+        current_latency: f64,
+        last: Option<&Estimate>,
+    ) -> Estimate {
         let ego = Ego {
             s: row.ego.road.s,
             d: row.ego.road.d,
@@ -49,13 +61,11 @@ impl<'a> Hindsight<'a> {
             footprint: row.ego.footprint,
         };
         let (body, future) = (&row.actors[actor.index()], &self.futures[actor.index()]);
-        estimator.recorded(
-            &ego,
-            body.footprint,
-            future,
-            row.time.seconds(),
-            current_latency,
-        )
+        let (footprint, now) = (body.footprint, row.time.seconds());
+        match last {
+            Some(last) => estimator.recorded_after(&ego, footprint, future, now, current_latency, last),
+            None => estimator.recorded(&ego, footprint, future, now, current_latency),
+        }
     }
 
     /// The demand on every camera at one row, in the order of the rig.
@@ -81,8 +91,18 @@ impl<'a> Hindsight<'a> {
             cameras: vec![quiet; self.rig.len()],
             ..Peaks::default()
         };
+        let mut demands = vec![estimator.quiet(); self.rig.len()];
+        // The answer of the step before, of each actor.
+        let mut last: Vec<Option<Estimate>> = vec![None; self.futures.len()];
         for row in self.trace.rows() {
-            self.add(&mut peaks, row.time, &self.demands(estimator, &row));
+            let actors = (0..).map(ActorId).zip(row.actors);
+            let covers = |camera: &Camera, _, body: &Body| camera.covers_body(row.ego.pose, body);
+            let estimate = |actor: ActorId, l_0: f64| {
+                let last = &mut last[actor.index()];
+                *last.insert(self.estimate_after(estimator, &row, actor, l_0, last.as_ref()))
+            };
+            estimator.demands_into(&self.rig, actors, covers, estimate, &mut demands);
+            self.add(&mut peaks, row.time, &demands);
         }
         peaks
     }
