@@ -71,6 +71,7 @@ impl Estimator {
         current_latency: f64,
     ) -> Estimate {
         self.answer(ego, actor, View::plain(*future), current_latency, None)
+            .0
     }
 
     /// The same answer, sooner where it is what it was a step ago: `last` is looked at first and nothing else if it
@@ -105,6 +106,20 @@ impl Estimator {
             current_latency,
             Some(last),
         )
+        .0
+    }
+
+    /// How often a latency was held against a piece of the future to answer [`Estimator::trajectory`]: the paper's
+    /// count for one trajectory is at most M x L. Of the exact solver; the paper's jumps are not counted.
+    pub fn evaluations(
+        &self,
+        ego: &Ego,
+        actor: Footprint,
+        future: &Future<'_>,
+        current_latency: f64,
+    ) -> u32 {
+        self.answer(ego, actor, View::plain(*future), current_latency, None)
+            .1
     }
 
     /// The same for a recorded future with `now` on its clock as t_0: the same answer, sooner for long lists.
@@ -117,6 +132,7 @@ impl Estimator {
         current_latency: f64,
     ) -> Estimate {
         self.answer(ego, actor, recording.view(now), current_latency, None)
+            .0
     }
 
     /// The same, sooner where the answer is `last`; see [`Estimator::trajectory_after`].
@@ -130,6 +146,7 @@ impl Estimator {
         last: &Estimate,
     ) -> Estimate {
         self.answer(ego, actor, recording.view(now), current_latency, Some(last))
+            .0
     }
 
     fn answer(
@@ -139,7 +156,7 @@ impl Estimator {
         view: View<'_>,
         current_latency: f64,
         last: Option<&Estimate>,
-    ) -> Estimate {
+    ) -> (Estimate, u32) {
         let reaction =
             |latency: f64| reaction_time(latency, current_latency, self.params.confirm_frames);
         let quiet = Estimate {
@@ -150,7 +167,7 @@ impl Estimator {
             extrapolated: view.future.extrapolated(self.params.horizon),
         };
         let Some(encounter) = Encounter::new(&self.params, ego, actor, view) else {
-            return quiet;
+            return (quiet, 0);
         };
         let judge = Judge {
             encounter: &encounter,
@@ -183,13 +200,14 @@ impl Estimator {
         } else {
             found.unmet_until
         };
-        Estimate {
+        let estimate = Estimate {
             state,
             latency: latencies.get(found.index).copied(),
             t_n: found.t_n.filter(|_| state != State::Alongside),
             binding: refused.and_then(|index| judge.refusal(reaction_time(index), unmet_until)),
             ..quiet
-        }
+        };
+        (estimate, found.evaluations)
     }
 
     /// Where an answer stands among the candidates; nowhere if there was no conflict, or if no rate helped.

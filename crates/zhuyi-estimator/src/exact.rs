@@ -42,6 +42,8 @@ pub(crate) struct Found {
     pub t_n: Option<f64>,
     /// [s] until when the one before it is known not to meet the constraints, contact or not.
     pub unmet_until: f64,
+    /// How often a candidate was looked at on a piece.
+    pub evaluations: u32,
 }
 
 /// The first candidate of a range (not empty), of candidates in order of falling reaction time, that is tolerable; the
@@ -64,6 +66,7 @@ pub(crate) fn first_tolerable<F: Fn(usize) -> Candidate>(
         back: candidate(range.start),
         front: candidate(range.end - 1),
         candidate,
+        evaluations: 0,
     };
     let (mut outside_until, mut settled) = (None, None);
     for span in encounter.spans() {
@@ -81,6 +84,7 @@ pub(crate) fn first_tolerable<F: Fn(usize) -> Candidate>(
         index: search.best,
         t_n: None,
         unmet_until: settled.unwrap_or(encounter.corridor.horizon),
+        evaluations: search.evaluations,
     };
     if criterion == Criterion::Standstill {
         return Found {
@@ -108,27 +112,29 @@ pub(crate) fn first_tolerable_near<F: Fn(usize) -> Candidate>(
         (guess + 1).min(count),
     );
     let near = search(start..end);
-    if near.index == start && start > 0 {
+    let (further, unmet_until) = if near.index == start && start > 0 {
         let before = search(0..start);
-        if before.index < start {
-            return before;
-        }
+        (before, before.unmet_until)
+    } else if near.index == end && end < count {
+        (search(end..count), near.unmet_until)
+    } else {
+        return near;
+    };
+    let evaluations = near.evaluations + further.evaluations;
+    // Where there is nothing further on, the answer lies at the border between both ranges.
+    if further.index == near.index {
+        let t_n = near.t_n.or(further.t_n);
         return Found {
-            unmet_until: before.unmet_until,
+            t_n,
+            unmet_until,
+            evaluations,
             ..near
         };
     }
-    if near.index == end && end < count {
-        let behind = search(end..count);
-        if behind.index > end {
-            return behind;
-        }
-        return Found {
-            unmet_until: near.unmet_until,
-            ..behind
-        };
+    Found {
+        evaluations,
+        ..further
     }
-    near
 }
 
 /// The search under way: the borders, and the candidates on their sides that may move them.
@@ -145,6 +151,7 @@ struct Search<'e, 'a, F> {
     back: Candidate,
     /// Candidate `best - 1`.
     front: Candidate,
+    evaluations: u32,
 }
 
 /// [1/s] about how many candidates a border passes in a second of a walk: only to look first where it may be.
@@ -167,16 +174,22 @@ impl<F: Fn(usize) -> Candidate> Visitor for Search<'_, '_, F> {
 
     #[inline]
     fn visit(&mut self, cell: &Cell<'_, Along>, bounds: &Bounds) -> Option<f64> {
+        self.evaluations += 1;
         let front = match self.encounter.verdict(self.ask, &self.front, cell, bounds) {
             Verdict::Met(time) => self.lower_best(cell, bounds, time),
             verdict => verdict,
         };
+        if self.alive == self.best {
+            // When the candidate before these came into contact is not kept.
+            return Some(0.0);
+        }
         if let Verdict::Contact(time) = front {
             self.alive = self.best;
             return Some(time);
         }
-        if self.ask.contact && self.alive + 1 < self.best && self.touches(&self.back, cell, bounds)
-        {
+        // With one candidate left between the borders, the back is the front.
+        let (back, more) = (self.back, self.alive + 1 < self.best);
+        if self.ask.contact && more && self.touches(&back, cell, bounds) {
             self.raise_alive(cell, bounds);
         }
         (self.alive == self.best).then_some(cell.start)
@@ -200,10 +213,10 @@ impl<F: Fn(usize) -> Candidate> Search<'_, '_, F> {
 
     /// Whether a candidate comes into contact on a cell on which it does not meet the constraints.
     #[inline]
-    fn touches(&self, candidate: &Candidate, cell: &Cell<'_, Along>, bounds: &Bounds) -> bool {
-        self.encounter
-            .verdict(self.asks_contact(), candidate, cell, bounds)
-            != Verdict::Nothing
+    fn touches(&mut self, candidate: &Candidate, cell: &Cell<'_, Along>, bounds: &Bounds) -> bool {
+        self.evaluations += 1;
+        let contact = self.asks_contact();
+        self.encounter.verdict(contact, candidate, cell, bounds) != Verdict::Nothing
     }
 
     /// The front meets the constraints on this cell at `time`: so may others behind it. What happens to the new front.
@@ -214,6 +227,7 @@ impl<F: Fn(usize) -> Candidate> Search<'_, '_, F> {
         while low < self.best {
             let next = self.best - 1 - (stride - 1).min((self.best - low) / 2);
             let candidate = (self.candidate)(next);
+            self.evaluations += 1;
             match self.encounter.verdict(self.ask, &candidate, cell, bounds) {
                 Verdict::Met(time) => {
                     (self.best, self.t_n) = (next, Some(time));
@@ -260,6 +274,7 @@ impl<F: Fn(usize) -> Candidate> Search<'_, '_, F> {
             index,
             t_n: self.first_outside((self.candidate)(index).reaction_time),
             unmet_until: 0.0,
+            evaluations: self.evaluations,
         })
     }
 

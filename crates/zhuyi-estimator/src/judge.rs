@@ -41,12 +41,14 @@ impl Judge<'_> {
                 index,
                 t_n,
                 unmet_until: 0.0,
+                evaluations: 0,
             })
         };
         (0..count).find_map(tolerated).unwrap_or(Found {
             index: count,
             t_n: None,
             unmet_until: 0.0,
+            evaluations: 0,
         })
     }
 
@@ -117,5 +119,73 @@ impl Judge<'_> {
         } else {
             Binding::Speed
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Judge;
+    use crate::encounter::Encounter;
+    use crate::recording::View;
+    use crate::{Criterion, Ego, Future, Params};
+    use proptest::prelude::*;
+    use zhuyi_core::{Across, Along, Footprint};
+
+    const CAR: Footprint = Footprint {
+        length: 4.0,
+        width: 2.0,
+    };
+
+    prop_compose! {
+        /// A lead that changes its acceleration a few times and its offset now and then.
+        fn any_future()(
+            gap in 0.5..80.0_f64,
+            speed in 0.0..30.0_f64,
+            along in prop::collection::vec((0.1..3.0_f64, -8.0..3.0_f64), 1..10),
+            across in prop::collection::vec((0.1..4.0_f64, -4.0..4.0_f64), 0..6),
+        ) -> (Vec<Along>, Vec<Across>) {
+            let mut pieces = vec![Along::constant_accel(0.0, gap + CAR.length, speed, 0.0)];
+            for (length, accel) in along {
+                let last = pieces[pieces.len() - 1];
+                let time = last.time + length;
+                let v = last.v_at(time).max(0.0);
+                let accel = if v == 0.0 { accel.max(0.0) } else { accel };
+                pieces.push(Along::constant_accel(time, last.s_at(time), v, accel));
+            }
+            let mut offsets = vec![Across { time: 0.0, d: 0.0, d_rate: 0.0 }];
+            for (length, d) in across {
+                let time = offsets[offsets.len() - 1].time + length;
+                offsets.push(Across { time, d, d_rate: 0.0 });
+            }
+            (pieces, offsets)
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 5000, failure_persistence: None, ..ProptestConfig::default() })]
+
+        /// What the search knows of the refused candidate saves work, and no more than that; nor does where it looks
+        /// first.
+        #[test]
+        fn law_the_cause_and_the_answer_are_those_of_a_search_that_knows_nothing(
+            (along, across) in any_future(),
+            speed in 1.0..40.0_f64,
+            accel in -6.0..3.0_f64,
+            guess in 0..40_usize,
+            longest in 0.1..8.0_f64,
+        ) {
+            let ego = Ego { s: 0.0, d: 0.0, speed, accel, footprint: CAR };
+            let future = Future { along: &along, across: &across, known_until: 20.0, now: 0.0 };
+            let params = Params { criterion: Criterion::Paper, ..Params::default() };
+            let Some(encounter) = Encounter::new(&params, &ego, CAR, View::plain(future)) else { return Ok(()) };
+            let judge = Judge { encounter: &encounter, params: &params };
+            let reaction_time = |index: usize| longest * (1.0 - index as f64 / 32.0);
+            let found = judge.first_tolerable(33, reaction_time, guess);
+            let expected = (0..33).find(|index| judge.tolerated(reaction_time(*index)).is_some());
+            prop_assert_eq!(found.index, expected.unwrap_or(33));
+            if let Some(refused) = found.index.checked_sub(1).map(reaction_time) {
+                prop_assert_eq!(judge.refusal(refused, found.unmet_until), judge.refusal(refused, 0.0));
+            }
+        }
     }
 }
