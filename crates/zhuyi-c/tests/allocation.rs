@@ -1,4 +1,5 @@
-//! What the header says allocates nothing allocates nothing.
+//! What the header and the estimator say allocates nothing allocates nothing. (Here, since a counting allocator needs
+//! `unsafe`, which the estimator's own crate forbids.)
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -31,6 +32,97 @@ unsafe impl GlobalAlloc for Counting {
 
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
+
+/// A whole moment, every rival and the criticality of it: two actors with two futures each, two cameras at two rates.
+#[test]
+fn law_the_rust_face_allocates_nothing() {
+    use zhuyi_core::{ActorId, Camera, Footprint, Forecast, Pose};
+    use zhuyi_estimator::criticality::{Limits, criticality};
+    use zhuyi_estimator::rivals::Rivals;
+    use zhuyi_estimator::samples::{Sample, trajectory};
+    use zhuyi_estimator::{Ego, Estimator, Future, Moment, Params, Seen, Watch};
+
+    let footprint = Footprint {
+        length: 4.5,
+        width: 1.8,
+    };
+    let sampled = |decel: f64, d: f64| {
+        let sample = |step: i32| {
+            let time = f64::from(step) / 10.0;
+            let v = (15.0 - decel * time).max(0.0);
+            Sample {
+                time,
+                s: 45.0 + 15.0 * time - decel * time * time / 2.0,
+                d,
+                v,
+            }
+        };
+        trajectory(&(0..30).map(sample).collect::<Vec<_>>()).expect("sound samples")
+    };
+    let forecast = |actor: u32, d: f64| Forecast {
+        actor: ActorId(actor),
+        footprint,
+        trajectories: vec![(0.9, sampled(0.0, d)), (0.1, sampled(5.0, 0.0))],
+    };
+    let camera = |yaw: f64| Camera {
+        name: String::new(),
+        forward: 0.0,
+        left: 0.0,
+        yaw,
+        fov: 2.0,
+        range: 150.0,
+        analysed: true,
+    };
+    let (ahead, beside, front, left) =
+        (forecast(0, 0.0), forecast(1, 3.5), camera(0.0), camera(1.5));
+    let rig = [(&front, 1.0 / 30.0), (&left, 0.1)].map(|(camera, current_latency)| Watch {
+        camera,
+        current_latency,
+    });
+    let seen = [(0.0, &ahead), (3.5, &beside)].map(|(y, forecast)| Seen {
+        pose: Pose::new(45.0, y, 0.0),
+        forecast,
+    });
+    let ego = Ego {
+        s: 0.0,
+        d: 0.0,
+        speed: 20.0,
+        accel: 0.0,
+        footprint,
+    };
+    let moment = Moment {
+        ego,
+        pose: Pose::default(),
+        now: 0.0,
+        seen: &seen,
+        rig: &rig,
+    };
+    let (rivals, limits) = (Rivals::default(), Limits::default());
+    for params in [
+        Params::default(),
+        Params {
+            solver: zhuyi_estimator::Solver::Paper,
+            ..Params::default()
+        },
+    ] {
+        let estimator = Estimator::new(params);
+        let mut demands = [estimator.quiet(); 2];
+        let mut told = 0;
+
+        let before = ALLOCATIONS.get();
+        estimator.moment(&moment, &mut demands, |_| told += 1);
+        for (_, trajectory) in &ahead.trajectories {
+            let future = Future::new(trajectory, 0.0);
+            for model in rivals.all() {
+                let _ = estimator.by_model(model, &ego, footprint, &future, 0.1);
+            }
+            let _ = criticality(&ego, footprint, &future, &limits);
+        }
+        assert_eq!(ALLOCATIONS.get(), before);
+
+        assert_eq!((told, demands[0].actor), (2, Some(ActorId(0))));
+    }
+}
 
 #[test]
 fn law_samples_and_the_estimate_for_a_trajectory_allocate_nothing() {

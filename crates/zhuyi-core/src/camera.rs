@@ -1,7 +1,7 @@
 //! Cameras as geometry: where each looks, and how often. What it makes of what it sees is perception's business.
 
 use crate::geometry::wrap_angle;
-use crate::{Body, Point, Pose};
+use crate::{Body, Footprint, Point, Pose};
 
 /// A camera of the rig: its place in the rig's list, from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -49,13 +49,17 @@ impl Camera {
 
     /// Whether the centre or one of the four corners of `body` lies in the field of view and range (reading R14).
     pub fn covers_body(&self, ego: Pose, body: &Body) -> bool {
-        let pose = self.pose(ego);
-        self.covers(pose, body.pose.point())
-            || body
-                .footprint
-                .corners(body.pose)
+        self.covers_box(ego, body.footprint, body.pose)
+    }
+
+    /// The same of a box at `pose`.
+    pub fn covers_box(&self, ego: Pose, footprint: Footprint, pose: Pose) -> bool {
+        let eye = self.pose(ego);
+        self.covers(eye, pose.point())
+            || footprint
+                .corners(pose)
                 .into_iter()
-                .any(|corner| self.covers(pose, corner))
+                .any(|corner| self.covers(eye, corner))
     }
 }
 

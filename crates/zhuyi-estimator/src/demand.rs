@@ -129,7 +129,7 @@ impl Estimator {
         }
     }
 
-    fn add(&self, demand: &mut Demand, actor: ActorId, estimate: &Estimate) {
+    pub(crate) fn add(&self, demand: &mut Demand, actor: ActorId, estimate: &Estimate) {
         match estimate.state {
             State::None | State::Tolerable => {}
             State::BeyondGrid => demand.beyond_grid += 1,
@@ -152,14 +152,21 @@ impl Estimator {
 const REMEMBERED: usize = 8;
 
 /// The answers for one actor, each asked for once per current latency.
-#[derive(Default)]
-pub(crate) struct Answers {
-    known: [Option<(f64, Estimate)>; REMEMBERED],
+pub(crate) struct Answers<A> {
+    known: [Option<(f64, A)>; REMEMBERED],
 }
 
-impl Answers {
+impl<A: Copy> Default for Answers<A> {
+    fn default() -> Self {
+        Self {
+            known: [None; REMEMBERED],
+        }
+    }
+}
+
+impl<A: Copy> Answers<A> {
     /// The answer at a current latency.
-    pub fn of(&mut self, current_latency: f64, ask: impl FnOnce(f64) -> Estimate) -> Estimate {
+    pub fn of(&mut self, current_latency: f64, ask: impl FnOnce(f64) -> A) -> A {
         for known in &mut self.known {
             match known {
                 Some((latency, answer)) if *latency == current_latency => return *answer,

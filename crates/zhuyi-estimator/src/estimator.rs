@@ -180,13 +180,11 @@ impl Estimator {
                 .get(index)
                 .map_or(0.0, |latency| reaction(*latency))
         };
-        let guess = match last.and_then(|last| self.place(last)) {
-            Some(place) => place,
-            None => {
-                let longest = encounter.guess();
-                latencies.partition_point(|latency| reaction(*latency) > longest)
-            }
-        };
+        let near_last = last.and_then(|last| self.place(last));
+        let guess = near_last.unwrap_or_else(|| {
+            let longest = encounter.guess();
+            latencies.partition_point(|latency| reaction(*latency) > longest)
+        });
         let found = judge.first_tolerable(latencies.len() + 1, reaction_time, guess);
         // What is put down as the cause is what refused the candidate before; of an actor alongside, the smallest latency.
         let (state, refused) = match found.index.checked_sub(latencies.len()) {

@@ -222,7 +222,7 @@ impl<F: Fn(usize) -> Candidate> Search<'_, '_, F> {
     /// The front meets the constraints on this cell at `time`: so may others behind it. What happens to the new front.
     fn lower_best(&mut self, cell: &Cell<'_, Along>, bounds: &Bounds, time: f64) -> Verdict {
         let (mut low, mut front) = (self.alive, Verdict::Nothing);
-        let mut stride = self.stride(cell);
+        let mut stride = stride(cell);
         (self.best, self.t_n) = (self.best - 1, Some(time));
         while low < self.best {
             let next = self.best - 1 - (stride - 1).min((self.best - low) / 2);
@@ -245,7 +245,7 @@ impl<F: Fn(usize) -> Candidate> Search<'_, '_, F> {
     /// The back comes into contact on this cell: so may others before it.
     fn raise_alive(&mut self, cell: &Cell<'_, Along>, bounds: &Bounds) {
         self.alive += 1;
-        let (mut high, mut stride) = (self.best, self.stride(cell));
+        let (mut high, mut stride) = (self.best, stride(cell));
         while self.alive < high {
             let next = self.alive + (stride - 1).min((high - self.alive) / 2);
             let candidate = (self.candidate)(next);
@@ -257,11 +257,6 @@ impl<F: Fn(usize) -> Candidate> Search<'_, '_, F> {
                 self.back = candidate;
             }
         }
-    }
-
-    /// How many candidates a border may pass on a cell.
-    fn stride(&self, cell: &Cell<'_, Along>) -> usize {
-        1 + ((cell.end - cell.start) * PASSED_PER_SECOND) as usize
     }
 
     /// The first candidate that touches nobody in the whole horizon and has reacted while the actor is outside the
@@ -302,4 +297,9 @@ impl<F: Fn(usize) -> Candidate> Search<'_, '_, F> {
             |span: Span| (span.zone == Zone::After).then(|| overlap(&span, from, horizon))?;
         self.encounter.spans().find_map(after).map(|(time, _)| time)
     }
+}
+
+/// How many candidates a border may pass on a cell.
+fn stride(cell: &Cell<'_, Along>) -> usize {
+    1 + ((cell.end - cell.start) * PASSED_PER_SECOND) as usize
 }

@@ -16,6 +16,12 @@ pub(crate) struct Judge<'a> {
     pub params: &'a Params,
 }
 
+/// A reaction time that will do.
+#[derive(Clone, Copy, Debug)]
+struct Tolerated {
+    t_n: Option<f64>,
+}
+
 impl Judge<'_> {
     /// The first of `count` reaction times (at least one), given in falling order, that will do. `guess` says where to
     /// look first.
@@ -36,7 +42,7 @@ impl Judge<'_> {
             );
         }
         let tolerated = |index| {
-            let t_n = self.tolerated(reaction_time(index))?;
+            let Tolerated { t_n } = self.tolerated(reaction_time(index))?;
             Some(Found {
                 index,
                 t_n,
@@ -53,19 +59,19 @@ impl Judge<'_> {
     }
 
     /// Whether one reaction time will do, and its t_n.
-    fn tolerated(&self, reaction_time: f64) -> Option<Option<f64>> {
+    fn tolerated(&self, reaction_time: f64) -> Option<Tolerated> {
         if self.jumps() {
             return paper::found_time(self.encounter, reaction_time, self.params.max_steps)
-                .map(Some);
+                .map(|t_n| Tolerated { t_n: Some(t_n) });
         }
         self.exactly(reaction_time)
     }
 
     /// The same in continuous time.
-    fn exactly(&self, reaction_time: f64) -> Option<Option<f64>> {
+    fn exactly(&self, reaction_time: f64) -> Option<Tolerated> {
         let candidate = |_| self.encounter.candidate(reaction_time);
         let found = exact::first_tolerable(self.encounter, self.params.criterion, 0..1, candidate);
-        (found.index == 0).then_some(found.t_n)
+        (found.index == 0).then_some(Tolerated { t_n: found.t_n })
     }
 
     /// Whether t_n is searched by jumps, which may miss it.

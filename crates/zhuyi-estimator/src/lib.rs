@@ -15,9 +15,12 @@
 //! |---|---|
 //! | one actor, one future | [`Estimator::trajectory`], for recorded runs [`Estimator::recorded`] |
 //! | one actor, several futures with probabilities | [`Estimator::forecast`] |
-//! | all cameras | [`Estimator::demands`] |
+//! | all actors and cameras of a moment | [`Estimator::moment`] |
+//! | all cameras, with any other source of answers | [`Estimator::demands`], [`Estimator::demands_into`] |
 //! | what RSS or another model of [`rivals`] asks for | [`Estimator::by_model`] |
 //! | how others would call the situation: TTC, PET, BTN .. | [`criticality::criticality`] |
+//!
+//! To embed it, start with [`embedding`]: what goes in, units, frames, readings.
 //!
 //! The answer is an [`Estimate`]: a [`State`], the tolerable latency where there is one, the time t_n that made it
 //! so, and what refused the next larger latency. [`Estimate::fpr`] turns it into frames per second.
@@ -32,6 +35,9 @@
 //! R1" and so on name the places where the paper leaves a choice, and the choice taken. Left out, as in the paper:
 //! steering as a way out, limits of the brakes, uncertainty of what is perceived, actors not yet seen.
 
+#[doc = include_str!("embedding.md")]
+pub mod embedding {}
+
 pub mod aggregation;
 pub mod constraints;
 pub mod criticality;
@@ -41,6 +47,7 @@ pub mod estimate;
 pub mod future;
 pub mod grid;
 pub mod model;
+pub mod moment;
 pub mod paper;
 pub mod params;
 pub mod recording;
@@ -64,5 +71,6 @@ pub use estimator::Estimator;
 pub use future::{ActorStart, Future};
 pub use grid::Latencies;
 pub use model::{Reaction, SafetyModel};
+pub use moment::{Answer, Moment, Seen};
 pub use params::{Aggregation, Criterion, Grid, Params, Solver};
 pub use recording::Recording;
