@@ -23,8 +23,9 @@ struct Tolerated {
 }
 
 impl Judge<'_> {
-    /// The first of `count` reaction times (at least one), given in falling order, that will do. `guess` says where to
-    /// look first.
+    /// The first of `count` reaction times, given in falling order, that will do; with [`Params::cautious`] the first
+    /// from which on all will do. The last of them, to react at once, does not count for that. `guess` says where to look
+    /// first.
     pub fn first_tolerable(
         &self,
         count: usize,
@@ -50,7 +51,13 @@ impl Judge<'_> {
                 evaluations: 0,
             })
         };
-        (0..count).find_map(tolerated).unwrap_or(Found {
+        let first = if self.params.cautious {
+            let from_smallest = (0..count - 1).rev().map_while(tolerated);
+            from_smallest.last().or_else(|| tolerated(count - 1))
+        } else {
+            (0..count).find_map(tolerated)
+        };
+        first.unwrap_or(Found {
             index: count,
             t_n: None,
             unmet_until: 0.0,

@@ -54,6 +54,9 @@ fn params(fields: &Fields) -> Option<Params> {
         aggregation: fields
             .optional("aggregation")
             .map_or(Some(paper.aggregation), |node| aggregation(&node)),
+        cautious: fields
+            .optional("cautious")
+            .map_or(Some(paper.cautious), |node| node.truth()),
     })
 }
 

@@ -196,6 +196,7 @@ fn estimator(system: &System) -> Value {
                 Aggregation::Mean => name("Mean"),
             },
         ),
+        ("cautious", Truth(params.cautious)),
         ("current_latency", frame_latency(system.current_latency)),
     ])
 }
