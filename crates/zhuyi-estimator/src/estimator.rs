@@ -124,7 +124,7 @@ impl Estimator {
         }
     }
 
-    /// Place in the grid of the largest latency that will do.
+    /// Place in the grid of the largest latency that will do, if cautious of the largest up to which all will do.
     fn largest_tolerable(
         &self,
         judge: &Judge<'_>,
@@ -132,6 +132,12 @@ impl Estimator {
     ) -> Option<(usize, Tolerated)> {
         let tolerates = |index: usize| judge.tolerates(reaction(self.latencies()[index]));
         if !judge.monotone() {
+            if self.params.cautious {
+                let from_smallest = (0..self.latencies().len()).rev();
+                return from_smallest
+                    .map_while(|index| Some((index, tolerates(index)?)))
+                    .last();
+            }
             return (0..self.latencies().len()).find_map(|index| Some((index, tolerates(index)?)));
         }
         if let Some(tolerated) = tolerates(0) {

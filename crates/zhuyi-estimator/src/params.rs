@@ -70,6 +70,10 @@ pub struct Params {
     pub criterion: Criterion,
     /// Several trajectories into one.
     pub aggregation: Aggregation,
+    /// Whether a latency counts as tolerable only if all smaller ones of the grid are tolerable too. It makes a
+    /// difference where a larger latency may be tolerable while a smaller one is not: with the jumps of
+    /// [`Solver::Paper`], and where C4 < 1 lets the procedure brake less than the ego does already.
+    pub cautious: bool,
 }
 
 impl Default for Params {
@@ -87,6 +91,7 @@ impl Default for Params {
             solver: Solver::default(),
             criterion: Criterion::default(),
             aggregation: Aggregation::Percentile(0.99),
+            cautious: false,
         }
     }
 }

@@ -54,6 +54,7 @@ fn params(fields: &Fields) -> Option<Params> {
         aggregation: fields
             .optional("aggregation")
             .map_or(Some(paper.aggregation), |node| aggregation(&node)),
+        cautious: Some(paper.cautious),
     })
 }
 
