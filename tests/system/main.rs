@@ -3,6 +3,7 @@
 //! | file | what it shows |
 //! |---|---|
 //! | `architecture` | the arrows between the crates are those of README's table |
+//! | `criteria` | what the nine ask for under each criterion of the estimator (`--ignored`) |
 //! | `cut_out` | the side actors block the evasion; the lead's occlusion is what the cut-out asks for |
 //! | `repeatable` | the same run gives the same bits; runs that differ in rates alone share their draws |
 //! | `physics` | nothing reverses, jumps or passes through anything in any of the nine |
@@ -11,6 +12,7 @@
 //! The command itself is tested in `crates/zhuyi-cli/tests`, where Cargo hands over the real binary.
 
 mod architecture;
+mod criteria;
 mod cut_out;
 mod knowledge;
 mod physics;

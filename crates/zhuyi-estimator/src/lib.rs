@@ -26,9 +26,10 @@
 //! so, and what refused the next larger latency. [`Estimate::fpr`] turns it into frames per second.
 //!
 //! What the model guarantees, each with a test: an ego that follows the procedure (hold for t_r, then brake) at the
-//! tolerable latency touches nobody up to t_n, under [`Criterion::Standstill`] for good; a larger gap, fewer frames
-//! to confirm or harder braking never lower the latency; only differences in place and time count; the paper's
-//! jumps never tolerate more than the exact solver. The answer to a question depends on nothing but the question,
+//! tolerable latency touches nobody up to t_n, under [`Criterion::Standstill`] for good; a larger gap, a faster actor,
+//! a slower ego, fewer frames to confirm or harder braking never lower the latency; only differences in place and time
+//! count; the paper's jumps never tolerate more than the exact solver. Where each is a law, how often it was tried and
+//! what the model gets wrong: [`laws`]. The answer to a question depends on nothing but the question,
 //! and asking about one future allocates nothing.
 //!
 //! Source: "Zhuyi: Perception Processing Rate Estimation for Safety in Autonomous Vehicles" (DAC 2022). "Reading
@@ -46,6 +47,8 @@ pub mod ego_motion;
 pub mod estimate;
 pub mod future;
 pub mod grid;
+#[doc = include_str!("laws.md")]
+pub mod laws {}
 pub mod model;
 pub mod moment;
 pub mod paper;

@@ -71,7 +71,8 @@ impl Case {
         let mut known_until = now + dice.between(0.0, 30.0);
         if dice.chance(0.5) {
             known_until = now + dice.between(1.0, 25.0);
-            (along, across) = sampled(dice, &along, &across, known_until);
+            let spacing = f64::max(0.05, dice.between(0.05, 1.0));
+            (along, across) = sampled(dice, &along, &across, known_until, spacing);
         }
         let params = draw_params(dice);
         let current_latency = f64::powf(1.0 / 30.0, dice.between(0.0, 1.0));

@@ -170,14 +170,15 @@ fn flickering(dice: &mut Dice, home: f64, away: f64) -> Vec<(f64, f64)> {
     points
 }
 
-/// The same ways as a recording would hold them: samples up to `end`, straight lines between them (R10).
+/// The same ways as a recording would hold them: a sample every `spacing` seconds up to `end`, straight lines between
+/// them (R10).
 pub fn sampled(
     dice: &mut Dice,
     along: &[Along],
     across: &[Across],
     end: f64,
+    spacing: f64,
 ) -> (Vec<Along>, Vec<Across>) {
-    let spacing = f64::max(0.05, dice.between(0.05, 1.0));
     let noise = if dice.chance(0.5) {
         dice.between(0.0, 0.3)
     } else {

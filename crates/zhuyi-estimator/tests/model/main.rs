@@ -1,14 +1,15 @@
-//! The model from outside, by kind of evidence:
+//! The model from outside, worked by hand:
 //!
-//! - `counterexamples`: cases worked by hand, most of them where an easier reading of the paper goes wrong;
-//! - `laws`: what holds whatever the numbers;
-//! - `plain`: the exact solver against one without anything that makes it fast;
-//! - `recording`: the coarse view of long lists against the lists themselves.
+//! - `counterexamples`: most of them where an easier reading of the paper goes wrong;
+//! - `failures`: where the model itself breaks a law that one would expect;
+//! - `aggregation`: several futures of one actor;
+//! - `recording`: the coarse view of long lists.
 //!
-//! `dense_scan.rs` beside this folder compares with an oracle that shares no line with the crate.
+//! What holds whatever the numbers is in `laws/` beside this folder; `dense_scan.rs` compares with an oracle that shares no
+//! line with the crate.
 
+mod aggregation;
 mod counterexamples;
-mod laws;
-mod plain;
+mod failures;
 mod recording;
 mod scene;

@@ -1,0 +1,120 @@
+//! Where the model itself breaks a law that one would expect: the smallest examples, worked by hand.
+//!
+//! How often each happens among random cases is counted in `tests/laws`; `src/laws.md` tells the figures.
+
+use crate::scene::Scene;
+use zhuyi_estimator::{Criterion, Estimate, Grid, Params, Solver, State};
+
+fn answer(estimate: &Estimate) -> (State, Option<f64>) {
+    (estimate.state, estimate.latency)
+}
+
+/// 15 m/s, a lead 30 m ahead at 10 m/s brakes at 5 m/s2 from 1 s on; K = 0. After t_r = 1 s the jumps of Eq. 3 come to
+/// the ego's standstill, 1 + 15/4.9 = 4.061 s, in three. After t_r = 1/30 s the ego is first as slow as allowed at
+/// 1/30 + 6/4.9 = 1.258 s, when the lead has begun to slow; from there each jump leaves 0.9 x 5/4.9 = 92 % of the
+/// excess, and ten jumps do not get to where the lead stands. So 1 s is tolerable and 1/30 s is not, nor is braking
+/// at once. Enough jumps close the hole.
+#[test]
+fn hand_jumps_chase_a_braking_lead_in_vain() {
+    let scene = Scene::following(15.0, 30.0, 10.0).then(1.0, -5.0, 0.0);
+    let jumps = Params {
+        solver: Solver::Paper,
+        grid: Grid::Thirtieths,
+        confirm_frames: 0,
+        ..Params::default()
+    };
+    let found = scene.ask(&jumps);
+    assert_eq!(answer(&found), (State::Tolerable, Some(1.0)));
+    assert!((found.t_n.unwrap() - (1.0 + 15.0 / 4.9)).abs() < 1e-6);
+
+    let cautious = Params {
+        cautious: true,
+        ..jumps
+    };
+    assert_eq!(answer(&scene.ask(&cautious)), (State::Unavoidable, None));
+    let patient = Params {
+        max_steps: 1000,
+        ..cautious
+    };
+    assert_eq!(answer(&scene.ask(&patient)), (State::Tolerable, Some(1.0)));
+}
+
+/// 20 m/s, braking at 8 m/s2 already, and a car stands 30 m ahead: the ego stops by itself after 25 m, and Eq. 1 allows
+/// 27. With C4 = 0.5 the procedure brakes at 4.9 m/s2 only. To react at 9/30 s (t_r = 1.633) ends after 26.9 m, at
+/// 8/30 s (1.433) after 27.9, at once after 40.8: the later the better.
+#[test]
+fn hand_a_procedure_weaker_than_the_ego_punishes_reacting() {
+    let mut scene = Scene::following(20.0, 30.0, 0.0);
+    scene.ego.accel = -8.0;
+    let weak = Params {
+        c4: 0.5,
+        grid: Grid::Thirtieths,
+        ..Params::default()
+    };
+    assert_eq!(answer(&scene.ask(&weak)), (State::Tolerable, Some(1.0)));
+    let cautious = |c4: f64| Params {
+        c4,
+        cautious: true,
+        ..weak.clone()
+    };
+    assert_eq!(
+        answer(&scene.ask(&cautious(0.5))),
+        (State::Unavoidable, None)
+    );
+    // The cautious variant costs nothing where there is no hole.
+    assert_eq!(
+        answer(&scene.ask(&cautious(1.1))),
+        (State::Tolerable, Some(1.0))
+    );
+}
+
+/// Reading R8: ego and actor at 10 m/s, the actor in the next lane with its front 25 cm behind the ego's rear. It cuts in
+/// after 1 s: not the ego's to prevent. Half a metre more gap, half a metre per second more of the actor's speed, or less
+/// of the ego's, and it cuts in beside the ego: what was no conflict is alongside.
+#[test]
+fn hand_more_room_may_make_a_stay_the_egos_business() {
+    let behind = |ego: f64, more: f64, actor: f64| {
+        Scene::following(ego, -8.25 + more, actor)
+            .jumps_to(-1.0, 3.5)
+            .jumps_to(1.0, 0.0)
+            .ask(&Params::default())
+    };
+    let alongside = (State::Alongside, None);
+    assert_eq!(answer(&behind(10.0, 0.0, 10.0)), (State::None, Some(1.0)));
+    assert_eq!(answer(&behind(10.0, 0.5, 10.0)), alongside);
+    assert_eq!(answer(&behind(10.0, 0.0, 10.5)), alongside);
+    assert_eq!(answer(&behind(9.5, 0.0, 10.0)), alongside);
+}
+
+/// The criterion `standstill` knows no margins, so before a standing car it asks for less than `paper`: 10 m/s, 50 m.
+/// The margin leaves 45 - 10.2 = 34.8 m of reaction, so l = 0.604 (t_r = 3.457), without it they are 39.8: l = 0.67
+/// (3.853), while 0.703 would be 4.051.
+#[test]
+fn hand_standstill_asks_for_less_before_a_standing_car() {
+    let scene = Scene::following(10.0, 50.0, 0.0);
+    let of = |criterion| {
+        scene
+            .ask(&Params {
+                criterion,
+                ..Params::default()
+            })
+            .latency
+    };
+    assert_eq!(of(Criterion::Paper), Some(0.604));
+    assert_eq!(of(Criterion::Standstill), Some(0.67));
+}
+
+/// An actor 5 m ahead backs up at 1 m/s into an ego that stands. No braking helps, and yet `paper` grants what reacts
+/// before the touch at 5 s, t_r = 4.843 (l = 0.835) but not 5.041 (0.868), and `standstill` calls it unavoidable.
+#[test]
+fn hand_an_actor_that_backs_into_a_standing_ego_is_put_down_to_the_ego() {
+    let scene = Scene::following(0.0, 5.0, -1.0);
+    let of = |criterion| {
+        answer(&scene.ask(&Params {
+            criterion,
+            ..Params::default()
+        }))
+    };
+    assert_eq!(of(Criterion::Paper), (State::Tolerable, Some(0.835)));
+    assert_eq!(of(Criterion::Standstill), (State::Unavoidable, None));
+}
