@@ -20,8 +20,8 @@
 //! ```
 //!
 //! and a piece is of interest only if it moves one of the two borders: if the candidate just before `best` meets the
-//! constraints on it, or if `alive` comes into contact. Only then are the candidates between looked through, by
-//! bisection. The walk ends when the borders meet.
+//! constraints on it, or if `alive` comes into contact. Only then are the candidates between looked through,
+//! with growing strides from the border. The walk ends when the borders meet.
 
 use std::ops::Range;
 
