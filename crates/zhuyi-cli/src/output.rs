@@ -45,9 +45,25 @@ impl Output {
         }
     }
 
+    /// Where.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
     /// Writes the file.
     pub fn write(self, bytes: &[u8]) -> Result<(), Error> {
         let _whole = interrupt::writing();
+        self.write_now(bytes)
+    }
+
+    /// Writes several files, which an interrupt leaves all written or all as they were.
+    pub fn write_all<'t>(files: impl IntoIterator<Item = (Self, &'t [u8])>) -> Result<(), Error> {
+        let _whole = interrupt::writing();
+        let mut files = files.into_iter();
+        files.try_for_each(|(output, bytes)| output.write_now(bytes))
+    }
+
+    fn write_now(self, bytes: &[u8]) -> Result<(), Error> {
         let written = match self.way {
             Way::Into(mut file) => file.write_all(bytes).and_then(|()| file.flush()),
             Way::Replace(place) => replace(&place, bytes),
@@ -56,6 +72,54 @@ impl Output {
             path: self.path,
             source,
         })
+    }
+}
+
+/// A folder that files will be written to; made where it is missing, and gone again when nothing comes of it.
+#[derive(Debug)]
+pub struct Folder {
+    /// The folders that were made, the outermost first.
+    made: Vec<PathBuf>,
+}
+
+impl Folder {
+    /// Proves that files of these names can be written here.
+    pub fn reserve<const N: usize>(
+        path: &Path,
+        names: [&str; N],
+        problems: &mut Problems,
+    ) -> Option<(Self, [Output; N])> {
+        let missing = path.ancestors().take_while(|above| {
+            !above.as_os_str().is_empty() && matches!(above.try_exists(), Ok(false))
+        });
+        let mut made: Vec<PathBuf> = missing.map(Path::to_path_buf).collect();
+        made.reverse();
+        let folder = Self { made };
+        if let Err(source) = fs::create_dir_all(path) {
+            problems.push(Problem::Write {
+                path: path.to_path_buf(),
+                source,
+            });
+            folder.remove();
+            return None;
+        }
+        let outputs = names.map(|name| Output::reserve(&path.join(name), problems));
+        if outputs.iter().any(Option::is_none) {
+            folder.remove();
+            return None;
+        }
+        Some((
+            folder,
+            outputs.map(|output| output.unwrap_or_else(|| unreachable!("all are there"))),
+        ))
+    }
+
+    /// Takes away the folders that were made, as far as they are empty.
+    pub fn remove(self) {
+        for path in self.made.iter().rev() {
+            // What is not there or not empty may stay.
+            let _gone = fs::remove_dir(path);
+        }
     }
 }
 
