@@ -13,7 +13,8 @@
 //! | `extrapolated_s` | how much of the horizon lies behind the actor's last row |
 //! | `cameras` | those that cover it, joined by `;` |
 //!
-//! `cameras.csv`, one row per time and camera of the rig, analysed or not:
+//! `cameras.csv`, one row per time and camera of the rig, analysed or not (of the default rig front_120, left and right
+//! are, reading R19; sums and highest demands in a summary are of these alone):
 //!
 //! | column | meaning |
 //! |---|---|

@@ -271,3 +271,6 @@ fn seen(a: Point, direction: (f64, f64), length: f64, s: f64, point: Point) -> N
 fn distance(a: Point, b: Point) -> f64 {
     (b.x - a.x).hypot(b.y - a.y)
 }
+
+#[cfg(test)]
+mod tests;

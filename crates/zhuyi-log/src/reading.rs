@@ -132,7 +132,7 @@ impl<'a> Raw<'a> {
 struct Reading {
     steps: Vec<Step>,
     vehicles: Vec<Vehicle>,
-    /// Places of the vehicles by their ids, and of broken rows too.
+    /// Places of the vehicles by their ids; those of broken rows are among them.
     places: BTreeMap<String, usize>,
     /// The vehicles at the newest step and the lines of their rows.
     here: BTreeMap<usize, usize>,
@@ -223,6 +223,12 @@ impl Reading {
             };
             let (expected, got) = (width, record.len());
             self.refuse(raw, place, Rule::Fields { expected, got });
+            // An ego of which the only row is broken is there.
+            if let Some(id) = columns[ID].and_then(|field| record.get(field))
+                && !id.is_empty()
+            {
+                self.vehicle(raw, raw.all(), id);
+            }
             return;
         }
         let mut numbers = [None; COLUMNS.len()];

@@ -201,21 +201,21 @@ impl<'a> Replay<'a> {
                 Frame::Straight(_) => None,
             }
         };
-        let rows = first..vehicle.rows.len();
+        // Rows up to the first one at or behind the horizon: later ones change no answer.
+        let until = self.log.steps[step].time + self.horizon;
+        let within = |row: &Row| self.log.steps[row.step].time < until;
+        let count = vehicle.rows[first..].partition_point(within) + 1;
+        let rows = first..(first + count).min(vehicle.rows.len());
         let future = match track {
             Some(track) if rows.clone().all(|row| known(row).is_some()) => {
                 Cow::Borrowed(&track.recording)
             }
             _ => {
-                let until = self.log.steps[step].time + self.horizon;
-                let mut feet = Vec::new();
+                let mut feet: Vec<Foot> = Vec::with_capacity(rows.len());
                 for row in rows {
                     let point = vehicle.rows[row].pose.point();
-                    let hint = feet.last().map(|foot: &Foot| foot.s);
+                    let hint = feet.last().map(|foot| foot.s);
                     feet.push(known(row).unwrap_or_else(|| frame.foot(point, hint)));
-                    if self.log.steps[vehicle.rows[row].step].time >= until {
-                        break;
-                    }
                 }
                 Cow::Owned(recording(self.log, &vehicle.rows[first..], &feet))
             }

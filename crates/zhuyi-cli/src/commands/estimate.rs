@@ -24,6 +24,9 @@ use crate::output::{Folder, Output};
 use crate::problems::{Problem, Problems};
 use crate::rates::Rates;
 
+/// The ego of our own traces.
+const DEFAULT_EGO: &str = "ego";
+
 /// `zhuyi estimate` as typed.
 #[derive(Args, Clone, Debug)]
 #[command(after_help = "\
@@ -47,7 +50,7 @@ pub struct Arguments {
     #[arg(value_name = "TRACE")]
     trace: String,
     /// Id of the vehicle that is the ego
-    #[arg(long, value_name = "ID", default_value = "ego")]
+    #[arg(long, value_name = "ID", default_value = DEFAULT_EGO, allow_hyphen_values = true)]
     ego: String,
     /// Take every vehicle as the ego in turn
     #[arg(long, conflicts_with = "ego")]

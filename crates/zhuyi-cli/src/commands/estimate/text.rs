@@ -9,7 +9,7 @@ use zhuyi_log::files::state_name;
 use zhuyi_log::summary::STATES;
 use zhuyi_log::{Log, Peak, Summary};
 
-use super::{Arguments, Evaluated};
+use super::{Arguments, DEFAULT_EGO, Evaluated};
 use crate::shell;
 use crate::tables::table;
 
@@ -151,49 +151,39 @@ impl Scene<'_> {
             .iter()
             .max_by(|one, two| one.summary.largest.total_cmp(&two.summary.largest));
         let ego = loudest.map(|one| self.log.vehicle(one.evaluation.ego).id.as_str());
-        let mut words = self.typed.words();
-        words.extend(ego.iter().flat_map(|ego| ["--ego", ego]));
-        let out = self.typed.out.to_string_lossy();
-        words.extend(["--out", &out]);
-        let _infallible = writeln!(
-            text,
-            "\nNext:\n  {}   one of the highest, step by step",
-            shell::line(words)
-        );
+        let line = self.again(ego.unwrap_or(DEFAULT_EGO), &[]);
+        let _infallible = writeln!(text, "\nNext:\n  {line}   one of the highest, step by step");
         text
+    }
+
+    /// The command as typed, for an ego and with more flags.
+    fn again(&self, ego: &str, more: &[&str]) -> String {
+        let (mut words, out) = (self.typed.words(), self.typed.out.to_string_lossy());
+        if ego != DEFAULT_EGO {
+            words.extend(["--ego", ego]);
+        }
+        words.extend(more);
+        words.extend(["--out", &out]);
+        shell::line(words)
     }
 
     fn next(&self, summary: &Summary) -> String {
         let typed = self.typed;
-        let out = typed.out.to_string_lossy();
         let mut lines = Vec::new();
-        let mut line = |more: &[&str], purpose: &'static str| {
-            let words = typed.words().into_iter().chain(more.iter().copied());
-            lines.push((shell::line(words), purpose));
+        let mut line = |more: [&str; 2], purpose: &'static str| {
+            lines.push((self.again(&typed.ego, &more), purpose));
         };
         if typed.criterion.is_none() {
-            let more = [
-                "--ego",
-                &typed.ego,
-                "--criterion",
-                "standstill",
-                "--out",
-                &out,
-            ];
-            line(&more, "without contact at any later time either");
+            let more = ["--criterion", "standstill"];
+            line(more, "without contact at any later time either");
         }
-        let asked = summary.largest.ceil().to_string();
-        if typed.fpr.is_none()
-            && self
-                .rates
-                .all()
-                .iter()
-                .any(|rate| rate.to_string() != asked)
-        {
-            let more = ["--ego", &typed.ego, "--fpr", &asked, "--out", &out];
-            line(&more, "with cameras that run at the rate asked for");
+        let asked = summary.largest.ceil();
+        if typed.fpr.is_none() && self.rates.all().iter().any(|rate| *rate != asked) {
+            let more = ["--fpr", &asked.to_string()];
+            line(more, "with cameras that run at the rate asked for");
         }
-        line(&["--all-egos", "--out", &out], "every vehicle as the ego");
+        let all = self.again(DEFAULT_EGO, &["--all-egos"]);
+        lines.push((all, "every vehicle as the ego"));
         let width = lines.iter().map(|(line, _)| line.chars().count()).max();
         let mut text = String::from("\nNext:\n");
         for (line, purpose) in lines {
