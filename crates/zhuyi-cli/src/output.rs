@@ -52,26 +52,84 @@ impl Output {
 
     /// Writes the file.
     pub fn write(self, bytes: &[u8]) -> Result<(), Error> {
-        let _whole = interrupt::writing();
-        self.write_now(bytes)
+        Self::write_all([(self, bytes)])
     }
 
-    /// Writes several files, which an interrupt leaves all written or all as they were.
-    pub fn write_all<'t>(files: impl IntoIterator<Item = (Self, &'t [u8])>) -> Result<(), Error> {
+    /// Writes several files: first all of them beside their places, so that what fails or is interrupted leaves all as
+    /// they were, then each to its own.
+    pub fn write_all<const N: usize>(files: [(Self, &[u8]); N]) -> Result<(), Error> {
         let _whole = interrupt::writing();
-        let mut files = files.into_iter();
-        files.try_for_each(|(output, bytes)| output.write_now(bytes))
+        let mut drafts = Vec::with_capacity(N);
+        for (output, bytes) in files {
+            match output.draft(bytes) {
+                Ok(draft) => drafts.extend(draft),
+                Err(error) => {
+                    drafts.into_iter().for_each(Draft::discard);
+                    return Err(error);
+                }
+            }
+        }
+        let mut drafts = drafts.into_iter();
+        let published = drafts.by_ref().try_for_each(Draft::publish);
+        drafts.for_each(Draft::discard);
+        published
     }
 
-    fn write_now(self, bytes: &[u8]) -> Result<(), Error> {
-        let written = match self.way {
-            Way::Into(mut file) => file.write_all(bytes).and_then(|()| file.flush()),
-            Way::Replace(place) => replace(&place, bytes),
+    /// The file beside its place, if it is made there.
+    fn draft(self, bytes: &[u8]) -> Result<Option<Draft>, Error> {
+        let made = match self.way {
+            Way::Into(mut file) => file
+                .write_all(bytes)
+                .and_then(|()| file.flush())
+                .map(|()| None),
+            Way::Replace(place) => beside(&place).and_then(|beside| {
+                let draft = Draft {
+                    path: self.path.clone(),
+                    beside,
+                    place,
+                };
+                match draft.fill(bytes) {
+                    Ok(()) => Ok(Some(draft)),
+                    Err(error) => {
+                        draft.discard();
+                        Err(error)
+                    }
+                }
+            }),
         };
-        written.map_err(|source| Error::Write {
+        made.map_err(|source| Error::Write {
             path: self.path,
             source,
         })
+    }
+}
+
+/// A file that is whole, but not yet at its place.
+struct Draft {
+    path: PathBuf,
+    beside: PathBuf,
+    place: PathBuf,
+}
+
+impl Draft {
+    fn fill(&self, bytes: &[u8]) -> io::Result<()> {
+        let mut file = File::create(&self.beside)?;
+        file.write_all(bytes)?;
+        file.sync_all()
+    }
+
+    fn discard(self) {
+        // The first error is the one to tell.
+        let _gone = fs::remove_file(&self.beside);
+    }
+
+    fn publish(self) -> Result<(), Error> {
+        if let Err(source) = fs::rename(&self.beside, &self.place) {
+            let path = self.path.clone();
+            self.discard();
+            return Err(Error::Write { path, source });
+        }
+        Ok(())
     }
 }
 
@@ -155,16 +213,4 @@ fn beside(place: &Path) -> io::Result<PathBuf> {
     unfinished.push(name);
     unfinished.push(format!(".{}.part", std::process::id()));
     Ok(place.with_file_name(unfinished))
-}
-
-fn replace(place: &Path, bytes: &[u8]) -> io::Result<()> {
-    let beside = beside(place)?;
-    let made = File::create(&beside)
-        .and_then(|mut file| file.write_all(bytes).and_then(|()| file.sync_all()))
-        .and_then(|()| fs::rename(&beside, place));
-    if made.is_err() {
-        // The first error is the one to tell.
-        let _gone = fs::remove_file(&beside);
-    }
-    made
 }

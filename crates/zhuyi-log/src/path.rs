@@ -184,7 +184,9 @@ impl Ahead<'_> {
             let spare = distance(vertices[at].point, point) - bound - ROUNDING;
             let reached = vertices[at].s + spare;
             if spare > 0.0 && vertices[at + 1].s <= reached {
-                at = vertices.partition_point(|vertex| vertex.s <= reached) - 1;
+                // Legs are at least so long that the vertex looked for is among these.
+                let most = (at + (spare / LEAST) as usize + 2).min(vertices.len());
+                at += vertices[at..most].partition_point(|vertex| vertex.s <= reached) - 1;
                 continue;
             }
             take(&mut best, &mut bound, self.leg(at, point));
@@ -248,7 +250,8 @@ fn seen(a: Point, direction: (f64, f64), length: f64, s: f64, point: Point) -> N
     let ahead = dx * direction.0 + dy * direction.1;
     let left = dy * direction.0 - dx * direction.1;
     let along = ahead.clamp(0.0, length);
-    let distance = (ahead - along).hypot(left);
+    let beyond = ahead - along;
+    let distance = (beyond * beyond + left * left).sqrt();
     let (d, direction) = if along == ahead || distance <= ON_PATH {
         (left, direction)
     } else {
@@ -269,7 +272,9 @@ fn seen(a: Point, direction: (f64, f64), length: f64, s: f64, point: Point) -> N
 }
 
 fn distance(a: Point, b: Point) -> f64 {
-    (b.x - a.x).hypot(b.y - a.y)
+    // Coordinates of a log are far from overflow, and this is much faster than `hypot`.
+    let (dx, dy) = (b.x - a.x, b.y - a.y);
+    (dx * dx + dy * dy).sqrt()
 }
 
 #[cfg(test)]

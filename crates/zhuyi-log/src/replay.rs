@@ -16,6 +16,9 @@
 //! missing in between; behind the last one it keeps its speed and offset (reading R10). Before its first row and where
 //! it is missing it is nobody's business: it has no estimate there.
 //!
+//! Speeds and accelerations are those of the file, not differences of positions. An ego that reverses counts as standing:
+//! the model knows no reversing (reading R2). Boxes are those of the file, of the ego too.
+//!
 //! Frames of different t_0 are one and the same curve where both exist, so each row is projected once, and a future of
 //! which all feet lie ahead of t_0 is made once for the whole log. Only actors that are behind the ego at t_0 or later
 //! are projected anew, on the path that begins at t_0.

@@ -33,7 +33,7 @@ const DEFAULT_EGO: &str = "ego";
 Examples:
   zhuyi run cut-in --trace cut-in.csv
   zhuyi estimate cut-in.csv --road cut-in --out out          the road's frame, as in the run
-  zhuyi estimate recording.csv --ego 427 --out out           the frame of vehicle 427's own recorded path
+  zhuyi estimate recording.csv --ego 427 --out out           the frame of vehicle 427's own path
   zhuyi estimate recording.csv --all-egos --out out          every vehicle as the ego, one row each
   zhuyi estimate recording.csv --ego 427 --fpr front=10,left=5 --solver paper --out out
 

@@ -459,3 +459,23 @@ fn hand_places_that_cannot_be_written_or_read() {
     assert_eq!(ran.code, Some(2), "{}", ran.err);
     assert_eq!(bench.names("."), ["bytes.csv", "file", "o", "t.csv"]);
 }
+
+#[cfg(target_os = "linux")]
+#[test]
+fn hand_a_full_disk_leaves_both_files_as_they_were() {
+    let bench = Bench::new();
+    bench.write("t.csv", &trace());
+    fs::create_dir(bench.path("o")).unwrap();
+    bench.write("o/actors.csv", "mine");
+    std::os::unix::fs::symlink("/dev/full", bench.path("o/cameras.csv")).unwrap();
+    let ran = bench.zhuyi("estimate t.csv --out o");
+    assert_eq!((ran.code, ran.out.as_str()), (Some(4), ""));
+    assert!(
+        ran.err
+            .starts_with("error: cannot write `o/cameras.csv`: No space left"),
+        "{}",
+        ran.err
+    );
+    assert_eq!(bench.read("o/actors.csv"), "mine");
+    assert_eq!(bench.names("o"), ["actors.csv", "cameras.csv"]);
+}

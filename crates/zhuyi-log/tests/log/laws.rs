@@ -1,5 +1,7 @@
 //! What changes no answer, and answers worked by hand.
 
+use rand::RngExt;
+use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use zhuyi_core::FrameRates;
 use zhuyi_estimator::{Binding, Estimator, State};
 use zhuyi_log::files::{actors_csv, cameras_csv};
@@ -341,4 +343,30 @@ fn hand_a_stopped_ego_has_no_acceleration() {
         (estimate.state, estimate.latency),
         (State::Tolerable, Some(1.0))
     );
+}
+
+/// Whatever passes the rules for traces is answered: finite numbers, or none.
+#[test]
+fn law_extreme_numbers_are_answered() {
+    let mut draws = ChaCha8Rng::seed_from_u64(4);
+    let extremes = [0.0, 1e12, -1e12, 5e-324, -1e-9, 0.5, 30.0, 1e6];
+    for _ in 0..300 {
+        let (mut rows, mut time) = (Vec::new(), -1e12);
+        for _ in 0..draws.random_range(1..12) {
+            time += [1e-3, 0.1, 1e3, 1e11][draws.random_range(0..4)];
+            for id in ["ego", "other"] {
+                rows.push((time, id, [0; 5].map(|_| extremes[draws.random_range(0..8)])));
+            }
+        }
+        let log = log(&rows);
+        let evaluation = evaluated(&log, 30.0);
+        for answer in evaluation.steps.iter().flat_map(|step| &step.actors) {
+            let estimate = answer.estimate;
+            let numbers = [estimate.latency, estimate.t_n, Some(estimate.extrapolated)];
+            assert!(
+                numbers.iter().flatten().all(|number| number.is_finite()),
+                "{rows:?}\n{estimate:?}"
+            );
+        }
+    }
 }
