@@ -64,6 +64,9 @@ pub enum Fault {
         /// What to do instead.
         hint: String,
     },
+    /// A value of a scenario where no scenario is read.
+    #[error("a value of a scenario can be set only where --road names one")]
+    NoRoad,
     /// The name of a new scenario that cannot be one.
     #[error("a name is made of letters, digits, `_` and `-`, got `{0}`")]
     Name(String),

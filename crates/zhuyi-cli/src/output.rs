@@ -45,17 +45,139 @@ impl Output {
         }
     }
 
+    /// Where.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
     /// Writes the file.
     pub fn write(self, bytes: &[u8]) -> Result<(), Error> {
+        Self::write_all([(self, bytes)])
+    }
+
+    /// Writes several files: first all of them beside their places, so that what fails or is interrupted leaves all as
+    /// they were, then each to its own.
+    pub fn write_all<const N: usize>(files: [(Self, &[u8]); N]) -> Result<(), Error> {
         let _whole = interrupt::writing();
-        let written = match self.way {
-            Way::Into(mut file) => file.write_all(bytes).and_then(|()| file.flush()),
-            Way::Replace(place) => replace(&place, bytes),
+        let mut drafts = Vec::with_capacity(N);
+        for (output, bytes) in files {
+            match output.draft(bytes) {
+                Ok(draft) => drafts.extend(draft),
+                Err(error) => {
+                    drafts.into_iter().for_each(Draft::discard);
+                    return Err(error);
+                }
+            }
+        }
+        let mut drafts = drafts.into_iter();
+        let published = drafts.by_ref().try_for_each(Draft::publish);
+        drafts.for_each(Draft::discard);
+        published
+    }
+
+    /// The file beside its place, if it is made there.
+    fn draft(self, bytes: &[u8]) -> Result<Option<Draft>, Error> {
+        let made = match self.way {
+            Way::Into(mut file) => file
+                .write_all(bytes)
+                .and_then(|()| file.flush())
+                .map(|()| None),
+            Way::Replace(place) => beside(&place).and_then(|beside| {
+                let draft = Draft {
+                    path: self.path.clone(),
+                    beside,
+                    place,
+                };
+                match draft.fill(bytes) {
+                    Ok(()) => Ok(Some(draft)),
+                    Err(error) => {
+                        draft.discard();
+                        Err(error)
+                    }
+                }
+            }),
         };
-        written.map_err(|source| Error::Write {
+        made.map_err(|source| Error::Write {
             path: self.path,
             source,
         })
+    }
+}
+
+/// A file that is whole, but not yet at its place.
+struct Draft {
+    path: PathBuf,
+    beside: PathBuf,
+    place: PathBuf,
+}
+
+impl Draft {
+    fn fill(&self, bytes: &[u8]) -> io::Result<()> {
+        let mut file = File::create(&self.beside)?;
+        file.write_all(bytes)?;
+        file.sync_all()
+    }
+
+    fn discard(self) {
+        // The first error is the one to tell.
+        let _gone = fs::remove_file(&self.beside);
+    }
+
+    fn publish(self) -> Result<(), Error> {
+        if let Err(source) = fs::rename(&self.beside, &self.place) {
+            let path = self.path.clone();
+            self.discard();
+            return Err(Error::Write { path, source });
+        }
+        Ok(())
+    }
+}
+
+/// A folder that files will be written to; made where it is missing, and gone again when nothing comes of it.
+#[derive(Debug)]
+pub struct Folder {
+    /// The folders that were made, the outermost first.
+    made: Vec<PathBuf>,
+}
+
+impl Folder {
+    /// Proves that files of these names can be written here.
+    pub fn reserve<const N: usize>(
+        path: &Path,
+        names: [&str; N],
+        problems: &mut Problems,
+    ) -> Option<(Self, [Output; N])> {
+        let missing = path.ancestors().take_while(|above| {
+            !above.as_os_str().is_empty() && matches!(above.try_exists(), Ok(false))
+        });
+        let mut made: Vec<PathBuf> = missing.map(Path::to_path_buf).collect();
+        made.reverse();
+        let folder = Self { made };
+        if let Err(source) = fs::create_dir_all(path) {
+            problems.push(Problem::Write {
+                path: path.to_path_buf(),
+                source,
+            });
+            folder.remove();
+            return None;
+        }
+        let outputs = names.map(|name| Output::reserve(&path.join(name), problems));
+        if outputs.iter().any(Option::is_none) {
+            folder.remove();
+            return None;
+        }
+        Some((
+            folder,
+            outputs.map(|output| output.unwrap_or_else(|| unreachable!("all are there"))),
+        ))
+    }
+
+    /// Takes away the folders that were made, as far as they are empty.
+    pub fn remove(self) {
+        for path in self.made.iter().rev() {
+            // What is not there or not empty may stay.
+            let _gone = fs::remove_dir(path);
+        }
     }
 }
 
@@ -91,16 +213,4 @@ fn beside(place: &Path) -> io::Result<PathBuf> {
     unfinished.push(name);
     unfinished.push(format!(".{}.part", std::process::id()));
     Ok(place.with_file_name(unfinished))
-}
-
-fn replace(place: &Path, bytes: &[u8]) -> io::Result<()> {
-    let beside = beside(place)?;
-    let made = File::create(&beside)
-        .and_then(|mut file| file.write_all(bytes).and_then(|()| file.sync_all()))
-        .and_then(|()| fs::rename(&beside, place));
-    if made.is_err() {
-        // The first error is the one to tell.
-        let _gone = fs::remove_file(&beside);
-    }
-    made
 }

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
-use annotate_snippets::Renderer;
+use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use zhuyi_scenario::{Invalid, Violation};
 
 use crate::argument::Misreading;
@@ -16,6 +16,13 @@ pub enum Problem {
     Argument(Misreading),
     /// A rule that a file or a setting breaks.
     File(Violation),
+    /// A rule that a trace breaks.
+    Trace {
+        /// Which trace.
+        path: String,
+        /// The rule, and where.
+        violation: Box<zhuyi_log::Violation>,
+    },
     /// A file that cannot be read.
     Read {
         /// Which.
@@ -36,7 +43,7 @@ impl Problem {
     /// 2 for what the user can put right in a text, 4 for what the file system refuses.
     fn exit_code(&self) -> u8 {
         match self {
-            Self::Argument(_) | Self::File(_) => 2,
+            Self::Argument(_) | Self::File(_) | Self::Trace { .. } => 2,
             // Bytes that are no text are bad input, however they came.
             Self::Read { source, .. } if source.kind() == io::ErrorKind::InvalidData => 2,
             Self::Read { .. } | Self::Write { .. } => 4,
@@ -48,6 +55,10 @@ impl Problem {
             Self::Argument(misreading) if coloured => misreading.render(&Renderer::styled()),
             Self::Argument(misreading) => misreading.render(&Renderer::plain()),
             Self::File(violation) => Invalid::from(violation.clone()).render(coloured),
+            Self::Trace { path, violation } if coloured => {
+                trace(path, violation, &Renderer::styled())
+            }
+            Self::Trace { path, violation } => trace(path, violation, &Renderer::plain()),
             Self::Read { path, source } => {
                 format!("error: cannot read `{}`: {source}", path.display())
             }
@@ -67,6 +78,21 @@ impl Problem {
             _ => false,
         }
     }
+}
+
+/// A line of a trace with a caret, drawn like a violation in a scenario file.
+fn trace(path: &str, violation: &zhuyi_log::Violation, renderer: &Renderer) -> String {
+    let (title, hint) = (violation.rule.to_string(), violation.rule.hint());
+    // A line end behind the text, where a caret may stand for what is missing.
+    let line = format!("{}\n", violation.text);
+    let caret = AnnotationKind::Primary
+        .span(violation.place.clone())
+        .label(hint.as_deref());
+    let snippet = Snippet::source(line)
+        .line_start(violation.line)
+        .path(path)
+        .annotation(caret);
+    renderer.render(&[Level::ERROR.primary_title(&title).element(snippet)])
 }
 
 impl From<Misreading> for Problem {
@@ -99,6 +125,16 @@ impl Problems {
                 None
             }
         }
+    }
+
+    /// Notes all that is wrong with a trace.
+    pub fn refuse_trace(&mut self, path: &str, invalid: &zhuyi_log::Invalid) {
+        // They differ from each other, and there may be one per row: none is looked for among the others.
+        self.0
+            .extend(invalid.violations().iter().map(|violation| Problem::Trace {
+                path: path.to_string(),
+                violation: Box::new(violation.clone()),
+            }));
     }
 
     /// How many.

@@ -2,6 +2,7 @@
 
 mod check;
 mod delivery;
+mod estimate;
 mod grid;
 mod list;
 mod mrf;
@@ -60,6 +61,8 @@ pub enum Command {
     New(new::Arguments),
     /// Drive once through a scenario and tell what happened
     Run(run::Arguments),
+    /// Estimate what a recorded trace, of a run or of real traffic, asks of every camera at every step
+    Estimate(estimate::Arguments),
     /// Drive through scenarios at many frame rates and write one row per run
     Sweep(sweep::Arguments),
     /// Find the minimum required frame rate: from it on no seed collides
@@ -79,6 +82,7 @@ impl Command {
             Self::Check(typed) => Box::new(typed.meant()),
             Self::New(typed) => Box::new(typed.meant()?),
             Self::Run(typed) => Box::new(typed.meant()?),
+            Self::Estimate(typed) => Box::new(typed.meant()?),
             Self::Sweep(typed) => Box::new(typed.meant()?),
             Self::Mrf(typed) => Box::new(typed.meant()?),
             Self::Reproduce(typed) => Box::new(typed.meant()?),

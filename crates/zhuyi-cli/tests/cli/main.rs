@@ -5,6 +5,7 @@
 //! | `files` | `list`, `show`, `check`, `new` |
 //! | `one_run` | `run`: text, JSON, trace, rates, settings |
 //! | `many_runs` | `mrf`, `sweep`, `reproduce`, `robustness` |
+//! | `recordings` | `estimate`: traces of runs and of real traffic, bad rows |
 //! | `refusals` | bad input: exit code, place, rule, hint |
 //! | `places` | where results go: unwritable, full, closed, interrupted |
 
@@ -14,6 +15,7 @@ mod files;
 mod many_runs;
 mod one_run;
 mod places;
+mod recordings;
 mod refusals;
 
 use std::path::PathBuf;

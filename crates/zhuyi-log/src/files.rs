@@ -1,0 +1,136 @@
+//! The evaluation as CSV. Times stand as in the trace; other numbers have six decimals; what there is not is empty.
+//!
+//! `actors.csv`, one row per time and actor that is there, whether or not a camera covers it:
+//!
+//! | column | meaning |
+//! |---|---|
+//! | `time_s` | t_0 |
+//! | `actor` | its id |
+//! | `state` | `none`, `tolerable`, `beyond_grid`, `unavoidable` or `alongside` |
+//! | `latency_s` | tolerable latency; the largest of the grid for `none` |
+//! | `t_n_s` | the t_n that made it tolerable, counted from t_0 |
+//! | `binding` | what refused the next larger latency: `distance`, `speed` or `pass_through` |
+//! | `extrapolated_s` | how much of the horizon lies behind the actor's last row |
+//! | `cameras` | those that cover it, joined by `;` |
+//!
+//! `cameras.csv`, one row per time and camera of the rig, analysed or not (of the default rig front_120, left and right
+//! are, reading R19; sums and highest demands in a summary are of these alone):
+//!
+//! | column | meaning |
+//! |---|---|
+//! | `time_s` | t_0 |
+//! | `camera` | its name |
+//! | `latency_s`, `fpr_hz` | what is asked of it: the smallest latency of the actors that it covers, and 1 over it, at most 30; `beyond_grid` and `unavoidable` count as 30, `alongside` is left out |
+//! | `actor` | who asks for it; empty where nobody asks for anything |
+
+use csv::Writer;
+use zhuyi_estimator::{Binding, State, Watch};
+
+use crate::evaluation::{Answer, Evaluation};
+use crate::log::Log;
+
+/// The text of `actors.csv`.
+pub fn actors_csv(log: &Log, evaluation: &Evaluation, rig: &[Watch<'_>]) -> String {
+    let mut rows = Rows::new(&[
+        "time_s",
+        "actor",
+        "state",
+        "latency_s",
+        "t_n_s",
+        "binding",
+        "extrapolated_s",
+        "cameras",
+    ]);
+    for answers in &evaluation.steps {
+        let time = &log.steps()[answers.step].text;
+        for answer in &answers.actors {
+            let Answer {
+                actor,
+                estimate,
+                cameras,
+            } = answer;
+            let names = cameras.iter().map(|place| rig[*place].camera.name.as_str());
+            rows.add(&[
+                time,
+                &log.vehicle(*actor).id,
+                state_name(estimate.state),
+                &decimals(estimate.latency),
+                &decimals(estimate.t_n),
+                estimate.binding.map_or("", binding_name),
+                &decimals(Some(estimate.extrapolated)),
+                &names.collect::<Vec<_>>().join(";"),
+            ]);
+        }
+    }
+    rows.text()
+}
+
+/// The text of `cameras.csv`.
+pub fn cameras_csv(log: &Log, evaluation: &Evaluation, rig: &[Watch<'_>]) -> String {
+    let mut rows = Rows::new(&["time_s", "camera", "latency_s", "fpr_hz", "actor"]);
+    for answers in &evaluation.steps {
+        let time = &log.steps()[answers.step].text;
+        for (watch, demand) in rig.iter().zip(&answers.demands) {
+            rows.add(&[
+                time,
+                &watch.camera.name,
+                &decimals(Some(demand.latency)),
+                &decimals(Some(demand.fpr)),
+                demand.actor.map_or("", |actor| &log.vehicle(actor).id),
+            ]);
+        }
+    }
+    rows.text()
+}
+
+/// A state's name in files.
+pub fn state_name(state: State) -> &'static str {
+    match state {
+        State::None => "none",
+        State::Tolerable => "tolerable",
+        State::BeyondGrid => "beyond_grid",
+        State::Unavoidable => "unavoidable",
+        State::Alongside => "alongside",
+    }
+}
+
+/// The name in files of what refuses a latency.
+pub fn binding_name(binding: Binding) -> &'static str {
+    match binding {
+        Binding::Distance => "distance",
+        Binding::Speed => "speed",
+        Binding::PassThrough => "pass_through",
+    }
+}
+
+fn decimals(number: Option<f64>) -> String {
+    number.map_or(String::new(), |number| format!("{number:.6}"))
+}
+
+/// Rows of fields; those with commas or quotes are quoted.
+pub struct Rows(Writer<Vec<u8>>);
+
+impl Rows {
+    /// A file with this header.
+    pub fn new(header: &[&str]) -> Self {
+        let mut rows = Self(Writer::from_writer(Vec::new()));
+        rows.add(header);
+        rows
+    }
+
+    /// Adds a row, which has as many fields as the header.
+    pub fn add(&mut self, fields: &[&str]) {
+        self.0
+            .write_record(fields)
+            .unwrap_or_else(|error| unreachable!("rows of one length go into memory: {error}"));
+    }
+
+    /// All of it.
+    pub fn text(self) -> String {
+        let bytes = self
+            .0
+            .into_inner()
+            .unwrap_or_else(|error| unreachable!("memory can be written: {error}"));
+        String::from_utf8(bytes).unwrap_or_else(|error| unreachable!("text was written: {error}"))
+    }
+}

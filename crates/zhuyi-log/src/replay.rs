@@ -1,0 +1,290 @@
+//! A log seen by one of its vehicles: at every step where it is there, itself and the recorded futures of the others.
+//!
+//! ```text
+//!  x, y, heading, speed ──▶ frame at t_0 ──▶ samples (t, s, d, v) ──▶ Recording ──▶ estimator
+//!
+//!  v = speed cos(heading - direction of the path at the foot)
+//! ```
+//!
+//! | frame (reading R7) | when | the ego's path |
+//! |---|---|---|
+//! | of a road | one is given | its offset at t_0, held |
+//! | of the ego's own recorded path from t_0 on | there is none | d = 0 |
+//! | straight along the ego's heading at t_0 | there is none, and the ego does not move any more | d = 0 |
+//!
+//! A future is all rows of an actor from t_0 on with each of s, d and v linear between them, also where the actor is
+//! missing in between; behind the last one it keeps its speed and offset (reading R10). Before its first row and where
+//! it is missing it is nobody's business: it has no estimate there.
+//!
+//! Speeds and accelerations are those of the file, not differences of positions. An ego that reverses counts as standing:
+//! the model knows no reversing (reading R2). Boxes are those of the file, of the ego too.
+//!
+//! Frames of different t_0 are one and the same curve where both exist, so each row is projected once, and a future of
+//! which all feet lie ahead of t_0 is made once for the whole log. Only actors that are behind the ego at t_0 or later
+//! are projected anew, on the path that begins at t_0.
+
+use std::borrow::Cow;
+
+use zhuyi_core::{ActorId, Body, Frenet, Point, Pose, Road};
+use zhuyi_estimator::samples::{Sample, trajectory};
+use zhuyi_estimator::{Ego, Recording};
+
+use crate::log::{Log, Row, Vehicle};
+use crate::path::{Ahead, Foot, Path, straight};
+
+/// A log and the vehicle in it that is the ego.
+#[derive(Clone, Debug)]
+pub struct Replay<'a> {
+    log: &'a Log,
+    ego: ActorId,
+    lane: Lane<'a>,
+    horizon: f64,
+    /// One per vehicle; none where nothing can be said ahead of time, as for the ego.
+    tracks: Vec<Option<Track>>,
+}
+
+/// What the ego drives along.
+#[derive(Clone, Debug)]
+enum Lane<'a> {
+    Road(&'a Road),
+    Own(Path),
+}
+
+/// A vehicle in the frame of the whole log.
+#[derive(Clone, Debug)]
+struct Track {
+    feet: Vec<Foot>,
+    recording: Recording,
+}
+
+/// One step of a replay.
+#[derive(Clone, Debug)]
+pub struct Moment<'a> {
+    /// Place of the step in the log.
+    pub step: usize,
+    /// [s] its time, which is t_0.
+    pub time: f64,
+    /// The ego as the estimator takes it.
+    pub ego: Ego,
+    /// Centre and heading of the ego in the world.
+    pub pose: Pose,
+    /// All others that are there, in the order of the log.
+    pub actors: Vec<Actor<'a>>,
+}
+
+/// Another vehicle at one step.
+#[derive(Clone, Debug)]
+pub struct Actor<'a> {
+    /// Which.
+    pub id: ActorId,
+    /// Where it is; on the road that is in the frame at t_0.
+    pub body: Body,
+    /// What it will do, on the clock of the log.
+    pub future: Cow<'a, Recording>,
+}
+
+/// The frame at one t_0.
+#[derive(Clone, Copy, Debug)]
+enum Frame<'a> {
+    Road(&'a Road),
+    Path(Ahead<'a>),
+    /// Through a pose.
+    Straight(Pose),
+}
+
+impl Frame<'_> {
+    fn foot(&self, point: Point, hint: Option<f64>) -> Foot {
+        match self {
+            Self::Road(road) => on_road(road, point),
+            Self::Path(ahead) => ahead.foot(point, hint),
+            Self::Straight(pose) => straight(*pose, 0.0, point),
+        }
+    }
+}
+
+fn on_road(road: &Road, point: Point) -> Foot {
+    let Frenet { s, d } = road.road_from_world(point);
+    let (sin, cos) = road.heading(s).sin_cos();
+    Foot {
+        s,
+        d,
+        direction: (cos, sin),
+    }
+}
+
+impl<'a> Replay<'a> {
+    /// The log as `ego` sees it, on a road if one is given. Futures reach as far as `horizon` seconds need.
+    pub fn new(log: &'a Log, ego: ActorId, road: Option<&'a Road>, horizon: f64) -> Self {
+        let rows = &log.vehicle(ego).rows;
+        let own = || Path::new(rows.iter().map(|row| row.pose));
+        let lane = match road {
+            Some(road) => Lane::Road(road),
+            None => match own() {
+                Some(path) => Lane::Own(path),
+                None => unreachable!("a vehicle has a row"),
+            },
+        };
+        let frame = lane.frame(0, rows[0].pose);
+        let track = |(place, vehicle): (usize, &Vehicle)| {
+            let others = place != ego.index() && !matches!(frame, Frame::Straight(_));
+            others.then(|| Track::new(log, vehicle, &frame))
+        };
+        Self {
+            tracks: log.vehicles.iter().enumerate().map(track).collect(),
+            log,
+            ego,
+            lane,
+            horizon,
+        }
+    }
+
+    /// The log.
+    pub fn log(&self) -> &'a Log {
+        self.log
+    }
+
+    /// The ego.
+    pub fn ego(&self) -> ActorId {
+        self.ego
+    }
+
+    /// [m] length of the ego's recorded path, where that is the frame.
+    pub fn path_length(&self) -> Option<f64> {
+        match &self.lane {
+            Lane::Road(_) => None,
+            Lane::Own(path) => Some(path.length()),
+        }
+    }
+
+    /// Every step at which the ego is there.
+    pub fn moments(&self) -> impl Iterator<Item = Moment<'_>> {
+        (0..self.log.vehicle(self.ego).rows.len()).map(|row| self.moment(row))
+    }
+
+    fn moment(&self, ego_row: usize) -> Moment<'_> {
+        let row = self.log.vehicle(self.ego).rows[ego_row];
+        let frame = self.lane.frame(ego_row, row.pose);
+        let (s, d) = match &frame {
+            Frame::Road(road) => {
+                let Frenet { s, d } = road.road_from_world(row.pose.point());
+                (s, d)
+            }
+            Frame::Path(ahead) => (ahead.s(), 0.0),
+            Frame::Straight(_) => (0.0, 0.0),
+        };
+        let others = self.log.vehicles.iter().enumerate();
+        let actors = others.filter(|(place, _)| *place != self.ego.index());
+        Moment {
+            step: row.step,
+            time: self.log.steps[row.step].time,
+            ego: Ego {
+                s,
+                d,
+                speed: row.speed,
+                accel: row.accel,
+                footprint: row.footprint,
+            },
+            pose: row.pose,
+            actors: actors
+                .filter_map(|(place, _)| self.actor(&frame, ActorId(place as u32), row.step))
+                .collect(),
+        }
+    }
+
+    /// A vehicle that is there at a step.
+    fn actor(&self, frame: &Frame<'_>, id: ActorId, step: usize) -> Option<Actor<'_>> {
+        let vehicle = self.log.vehicle(id);
+        let first = vehicle.row_at(step)?;
+        let track = self.tracks[id.index()].as_ref();
+        let known = |row: usize| {
+            let foot = track.map(|track| track.feet[row])?;
+            match frame {
+                Frame::Road(_) => Some(foot),
+                Frame::Path(ahead) => (foot.s > ahead.shared_from()).then_some(foot),
+                Frame::Straight(_) => None,
+            }
+        };
+        // Rows up to the first one at or behind the horizon: later ones change no answer.
+        let until = self.log.steps[step].time + self.horizon;
+        let within = |row: &Row| self.log.steps[row.step].time < until;
+        let count = vehicle.rows[first..].partition_point(within) + 1;
+        let rows = first..(first + count).min(vehicle.rows.len());
+        let future = match track {
+            Some(track) if rows.clone().all(|row| known(row).is_some()) => {
+                Cow::Borrowed(&track.recording)
+            }
+            _ => {
+                let mut feet: Vec<Foot> = Vec::with_capacity(rows.len());
+                for row in rows {
+                    let point = vehicle.rows[row].pose.point();
+                    let hint = feet.last().map(|foot| foot.s);
+                    feet.push(known(row).unwrap_or_else(|| frame.foot(point, hint)));
+                }
+                Cow::Owned(recording(self.log, &vehicle.rows[first..], &feet))
+            }
+        };
+        let row = vehicle.rows[first];
+        let foot = known(first).unwrap_or_else(|| frame.foot(row.pose.point(), None));
+        Some(Actor {
+            id,
+            body: body(&row, &foot),
+            future,
+        })
+    }
+}
+
+impl Lane<'_> {
+    fn frame(&self, row: usize, pose: Pose) -> Frame<'_> {
+        match self {
+            Self::Road(road) => Frame::Road(road),
+            Self::Own(path) => path
+                .from(row, pose)
+                .map_or(Frame::Straight(pose), Frame::Path),
+        }
+    }
+}
+
+impl Track {
+    fn new(log: &Log, vehicle: &Vehicle, frame: &Frame<'_>) -> Self {
+        let mut feet: Vec<Foot> = Vec::with_capacity(vehicle.rows.len());
+        for row in &vehicle.rows {
+            let hint = feet.last().map(|foot| foot.s);
+            feet.push(frame.foot(row.pose.point(), hint));
+        }
+        Self {
+            recording: recording(log, &vehicle.rows, &feet),
+            feet,
+        }
+    }
+}
+
+/// The future through as many rows as there are feet.
+fn recording(log: &Log, rows: &[Row], feet: &[Foot]) -> Recording {
+    let sample = |(row, foot): (&Row, &Foot)| Sample {
+        time: log.steps[row.step].time,
+        s: foot.s,
+        d: foot.d,
+        v: foot.along_across(row.speed, row.pose.heading).0,
+    };
+    let samples: Vec<Sample> = rows.iter().zip(feet).map(sample).collect();
+    // Times of a log increase, its numbers are bounded, and every vehicle has a row.
+    let future = trajectory(&samples)
+        .unwrap_or_else(|error| unreachable!("rows of a log are samples: {error}"));
+    Recording::new(future)
+}
+
+fn body(row: &Row, foot: &Foot) -> Body {
+    let (s_rate, d_rate) = foot.along_across(row.speed, row.pose.heading);
+    Body {
+        footprint: row.footprint,
+        road: Frenet {
+            s: foot.s,
+            d: foot.d,
+        },
+        pose: row.pose,
+        speed: row.speed,
+        accel: row.accel,
+        s_rate,
+        d_rate,
+    }
+}
