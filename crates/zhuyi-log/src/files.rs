@@ -22,12 +22,21 @@
 //! | `camera` | its name |
 //! | `latency_s`, `fpr_hz` | what is asked of it: the smallest latency of the actors that it covers, and 1 over it, at most 30; `beyond_grid` and `unavoidable` count as 30, `alongside` is left out |
 //! | `actor` | who asks for it; empty where nobody asks for anything |
+//!
+//! `criticality.csv`, one row per time and actor as in `actors.csv`:
+//!
+//! | column | meaning |
+//! |---|---|
+//! | `time_s`, `actor` | as above |
+//! | `ttc_s`, `ttc_2d_s`, `thw_s`, `drac_mps2`, `pet_s`, `ttb_s`, `btn`, `impact_mps` | what others call critical; meaning, direction and source in [`zhuyi_estimator::criticality`]; empty where undefined |
 
 use csv::Writer;
-use zhuyi_estimator::{Binding, State, Watch};
+use zhuyi_estimator::criticality::{Criticality, Limits, criticality};
+use zhuyi_estimator::{Binding, Future, Watch};
 
 use crate::evaluation::{Answer, Evaluation};
 use crate::log::Log;
+use crate::replay::Replay;
 
 /// The text of `actors.csv`.
 pub fn actors_csv(log: &Log, evaluation: &Evaluation, rig: &[Watch<'_>]) -> String {
@@ -53,10 +62,10 @@ pub fn actors_csv(log: &Log, evaluation: &Evaluation, rig: &[Watch<'_>]) -> Stri
             rows.add(&[
                 time,
                 &log.vehicle(*actor).id,
-                state_name(estimate.state),
+                estimate.state.name(),
                 &decimals(estimate.latency),
                 &decimals(estimate.t_n),
-                estimate.binding.map_or("", binding_name),
+                estimate.binding.map_or("", Binding::name),
                 &decimals(Some(estimate.extrapolated)),
                 &names.collect::<Vec<_>>().join(";"),
             ]);
@@ -83,24 +92,23 @@ pub fn cameras_csv(log: &Log, evaluation: &Evaluation, rig: &[Watch<'_>]) -> Str
     rows.text()
 }
 
-/// A state's name in files.
-pub fn state_name(state: State) -> &'static str {
-    match state {
-        State::None => "none",
-        State::Tolerable => "tolerable",
-        State::BeyondGrid => "beyond_grid",
-        State::Unavoidable => "unavoidable",
-        State::Alongside => "alongside",
+/// The text of `criticality.csv`: the metrics of [`zhuyi_estimator::criticality`] for every actor of every step.
+pub fn criticality_csv(replay: &Replay<'_>, limits: &Limits) -> String {
+    let header = ["time_s", "actor"].into_iter().chain(Criticality::COLUMNS);
+    let mut rows = Rows::new(&header.collect::<Vec<_>>());
+    let log = replay.log();
+    for moment in replay.moments() {
+        let time = &log.steps()[moment.step].text;
+        for actor in &moment.actors {
+            let future = Future::new(actor.future.trajectory(), moment.time);
+            let found = criticality(&moment.ego, actor.body.footprint, &future, limits);
+            let numbers = found.values().map(decimals);
+            let names = [time.as_str(), &log.vehicle(actor.id).id];
+            let fields = names.into_iter().chain(numbers.iter().map(String::as_str));
+            rows.add(&fields.collect::<Vec<_>>());
+        }
     }
-}
-
-/// The name in files of what refuses a latency.
-pub fn binding_name(binding: Binding) -> &'static str {
-    match binding {
-        Binding::Distance => "distance",
-        Binding::Speed => "speed",
-        Binding::PassThrough => "pass_through",
-    }
+    rows.text()
 }
 
 fn decimals(number: Option<f64>) -> String {

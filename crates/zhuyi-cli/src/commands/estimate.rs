@@ -7,8 +7,9 @@ use std::path::PathBuf;
 
 use clap::Args;
 use zhuyi_core::{ActorId, FrameRates, Road};
-use zhuyi_estimator::{Criterion, Estimator, Solver, Watch};
-use zhuyi_log::files::{Rows, actors_csv, cameras_csv, state_name};
+use zhuyi_estimator::criticality::Limits;
+use zhuyi_estimator::{Criterion, Estimator, Solver, State, Watch};
+use zhuyi_log::files::{Rows, actors_csv, cameras_csv, criticality_csv};
 use zhuyi_log::summary::STATES;
 use zhuyi_log::{Evaluation, Log, Replay, Summary, evaluate};
 use zhuyi_scenario::{Kind, Setting, System};
@@ -42,8 +43,9 @@ The trace needs the columns time_s, id, x_m, y_m, heading_rad, speed_mps, accel_
 vehicles may appear and vanish. Steps without the ego are skipped.
 
 Writes DIR/actors.csv (time_s, actor, state, latency_s, t_n_s, binding, extrapolated_s, cameras), one row per time and \
-vehicle that is there, in view of a camera or not, and DIR/cameras.csv (time_s, camera, latency_s, fpr_hz, actor); with \
---all-egos DIR/egos.csv alone. Occlusion is ignored. Past its last row a vehicle keeps its speed and offset. The same command \
+vehicle that is there, in view of a camera or not, DIR/cameras.csv (time_s, camera, latency_s, fpr_hz, actor), and \
+DIR/criticality.csv (time_s, actor, ttc_s, ttc_2d_s, thw_s, drac_mps2, pet_s, ttb_s, btn, impact_mps); with --all-egos \
+DIR/egos.csv alone. Occlusion is ignored. Past its last row a vehicle keeps its speed and offset. The same command \
 gives the same bytes.")]
 pub struct Arguments {
     /// The trace, a CSV file as zhuyi run --trace writes it
@@ -98,8 +100,8 @@ pub struct Estimate {
 enum Egos {
     One {
         ego: ActorId,
-        actors: Output,
-        cameras: Output,
+        /// actors.csv, cameras.csv, criticality.csv.
+        files: [Output; 3],
     },
     All(Output),
 }
@@ -154,15 +156,11 @@ impl Arguments {
             let (folder, [egos]) = Folder::reserve(&self.out, ["egos.csv"], problems)?;
             return Some((folder, Some(Egos::All(egos))));
         }
-        let names = ["actors.csv", "cameras.csv"];
-        let (folder, [actors, cameras]) = Folder::reserve(&self.out, names, problems)?;
+        let names = ["actors.csv", "cameras.csv", "criticality.csv"];
+        let (folder, files) = Folder::reserve(&self.out, names, problems)?;
         let egos = log
             .and_then(|log| log.find(&self.ego))
-            .map(|ego| Egos::One {
-                ego,
-                actors,
-                cameras,
-            });
+            .map(|ego| Egos::One { ego, files });
         Some((folder, egos))
     }
 
@@ -296,18 +294,26 @@ impl Task for Estimate {
             typed: &typed,
         };
         match egos {
-            Egos::One {
-                ego,
-                actors,
-                cameras,
-            } => {
+            Egos::One { ego, files } => {
                 let one = evaluated(ego);
-                let written = [actors.path().to_path_buf(), cameras.path().to_path_buf()];
-                let texts = (
+                let written = files.each_ref().map(|output| output.path().to_path_buf());
+                let limits = Limits {
+                    max_decel: system.vehicle.max_decel,
+                    lateral_margin: system.estimator.lateral_margin,
+                    horizon: system.estimator.horizon,
+                };
+                let replay = Replay::new(&log, ego, road.as_ref(), limits.horizon);
+                let texts = [
                     actors_csv(&log, &one.evaluation, &rig),
                     cameras_csv(&log, &one.evaluation, &rig),
-                );
-                Output::write_all([(actors, texts.0.as_bytes()), (cameras, texts.1.as_bytes())])?;
+                    criticality_csv(&replay, &limits),
+                ];
+                let [actors, cameras, criticality] = files;
+                Output::write_all([
+                    (actors, texts[0].as_bytes()),
+                    (cameras, texts[1].as_bytes()),
+                    (criticality, texts[2].as_bytes()),
+                ])?;
                 Ok(Answer::new(scene.one(&one, &written)))
             }
             Egos::All(output) => {
@@ -341,7 +347,7 @@ fn evaluated(
 /// One row per ego: how many steps, how many answers of each state, and the highest demand of an analysed camera.
 fn egos_csv(log: &Log, all: &[Evaluated], rig: &[Watch<'_>]) -> String {
     let header = ["ego", "steps", "actors"].into_iter();
-    let header = header.chain(STATES.map(state_name));
+    let header = header.chain(STATES.map(State::name));
     let header = header.chain(["fpr_hz", "camera", "time_s", "actor", "extrapolated_share"]);
     let mut rows = Rows::new(&header.collect::<Vec<_>>());
     for Evaluated {

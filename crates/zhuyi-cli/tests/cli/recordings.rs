@@ -106,7 +106,10 @@ fn hand_the_files() {
     let bench = Bench::new();
     bench.write("t.csv", &trace());
     let told = bench.out("estimate t.csv --out new/out");
-    assert_eq!(bench.names("new/out"), ["actors.csv", "cameras.csv"]);
+    assert_eq!(
+        bench.names("new/out"),
+        ["actors.csv", "cameras.csv", "criticality.csv"]
+    );
     let actors = bench.read("new/out/actors.csv");
     let lines: Vec<&str> = actors.lines().collect();
     assert_eq!(
@@ -134,6 +137,18 @@ fn hand_the_files() {
         ]
     );
     assert_eq!((lines[5], lines.len()), ("0.0,rear,1.000000,1.000000,", 26));
+    // By hand: 50 m at 10 m/s are 5 s of TTC and THW; 10^2 / (2 x 50) = 1 m/s2, of 9 available; 5 - 10 / (2 x 9) = 4.44 s to
+    // brake; an ego that goes on hits it.
+    let criticality = bench.read("new/out/criticality.csv");
+    let lines: Vec<&str> = criticality.lines().collect();
+    assert_eq!(
+        lines[..2],
+        [
+            "time_s,actor,ttc_s,ttc_2d_s,thw_s,drac_mps2,pet_s,ttb_s,btn,impact_mps",
+            "0.0,\"wreck, red\",5.000000,5.000000,5.000000,1.000000,0.000000,4.444444,0.111111,0.000000",
+        ]
+    );
+    assert_eq!(lines.len(), 7);
     for part in [
         "t.csv: ego `ego`, 5 of 6 steps evaluated, 1 without the ego skipped; 2 of 2 other vehicles met.",
         "Frame: the ego's own recorded path, 4.0 m, then straight on.",
@@ -141,7 +156,7 @@ fn hand_the_files() {
         " tolerable           5   83.3 %",
         "front_120*    30 FPR         1.86 FPR   0.3 s   wreck, red",
         "* analysed: at most 1.86 FPR for one of them, 3.86 FPR for all at one time.",
-        "Wrote new/out/actors.csv, new/out/cameras.csv",
+        "Wrote new/out/actors.csv, new/out/cameras.csv, new/out/criticality.csv",
         "  zhuyi estimate t.csv --criterion standstill --out new/out ",
     ] {
         assert!(told.contains(part), "{part} is not in\n{told}");

@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 
 use zhuyi_core::FrameRates;
 use zhuyi_estimator::{State, Watch};
-use zhuyi_log::files::state_name;
 use zhuyi_log::summary::STATES;
 use zhuyi_log::{Log, Peak, Summary};
 
@@ -23,7 +22,7 @@ pub struct Scene<'a> {
 
 impl Scene<'_> {
     /// What came out for one ego, and what to type next.
-    pub fn one(&self, one: &Evaluated, written: &[PathBuf; 2]) -> String {
+    pub fn one(&self, one: &Evaluated, written: &[PathBuf; 3]) -> String {
         let summary = &one.summary;
         let mut text = self.steps(summary);
         text += &self.frame(one.path_length);
@@ -37,8 +36,8 @@ impl Scene<'_> {
             summary.largest, summary.sum
         );
         text += &remarks(summary);
-        let [actors, cameras] = written.each_ref().map(|path| path.display());
-        let _infallible = writeln!(text, "\nWrote {actors}, {cameras}");
+        let [actors, cameras, criticality] = written.each_ref().map(|path| path.display());
+        let _infallible = writeln!(text, "\nWrote {actors}, {cameras}, {criticality}");
         text += &self.next(summary);
         text
     }
@@ -204,11 +203,7 @@ fn states(summary: &Summary) -> String {
         } else {
             count as f64 / all as f64
         };
-        states.add_row([
-            state_name(*state).to_string(),
-            count.to_string(),
-            percent(share),
-        ]);
+        states.add_row([state.name().to_string(), count.to_string(), percent(share)]);
     }
     states.trim_fmt() + "\n"
 }
