@@ -40,6 +40,16 @@ pub enum Fault {
     /// A range that stays where it is.
     #[error("the step of a range must be at least 1, got 0")]
     NoStep,
+    /// Between two steps.
+    #[error("{what} must be a multiple of {of}, got {got}")]
+    NoMultiple {
+        /// What kind of number.
+        what: &'static str,
+        /// Of what it must be a multiple.
+        of: u64,
+        /// What was typed.
+        got: u64,
+    },
     /// More than one rate where one is meant.
     #[error("one run has one rate for all cameras, or one for each: `30` or `front=30,left=5`")]
     ManyRates,

@@ -5,9 +5,10 @@
 //!                     │                    └──────▶ [claims] ──▶ claims.md
 //!                     └──▶ [reruns] at the rates asked for ──▶ [runs] ──▶ runs.csv        [manifest] ──▶ manifest.json
 //!  Plan ──▶ [robustness]: one thing changed at a time, fresh seeds ──▶ robustness.md
+//!  Comparison ──▶ [compare]: all models on the same runs ──▶ compare.md, compare.csv, compare_demand.csv
 //! ```
 //!
-//! [`reproduce()`] and [`robustness()`] are pure: a plan in, the texts of all files out. [`prepare`] proves before the long run
+//! [`reproduce()`], [`robustness()`] and [`compare()`] are pure: a plan in, the texts of all files out. [`prepare`] proves before the long run
 //! that the files can be written; [`Results::write`] writes each complete or not at all, and [`Results::check`] compares.
 //!
 //! What it guarantees, each shown by a test: the same plan gives the same bytes at any number of threads; the order of the
@@ -16,6 +17,7 @@
 #[doc = include_str!("calibration.md")]
 pub mod calibration {}
 pub mod claims;
+pub mod compare;
 pub mod error;
 pub mod estimators;
 pub mod manifest;
@@ -34,6 +36,7 @@ pub mod sweep;
 pub mod table;
 mod text;
 
+pub use compare::{Comparison, compare};
 pub use error::LabError;
 pub use progress::Progress;
 pub use reproduce::{Plan, reproduce};

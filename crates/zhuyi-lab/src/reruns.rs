@@ -10,7 +10,7 @@ use crate::estimators::TABLE;
 use crate::progress::Progress;
 use crate::rates::{own, round_up};
 use crate::reproduce::Plan;
-use crate::sweep::{Cell, Record, grid};
+use crate::sweep::{Cell, Experiment, Record, grid};
 
 /// All runs done again.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,10 +46,12 @@ pub struct Trial {
     pub collisions: u32,
 }
 
-/// What was asked for in the runs at the highest rate.
-struct Asked {
-    largest: f64,
-    cameras: Vec<f64>,
+/// What was asked for in some runs.
+pub(crate) struct Asked {
+    /// [FPR] the largest demand on an analysed camera.
+    pub largest: f64,
+    /// [FPR] the largest demand on each camera, in the order of the rig.
+    pub cameras: Vec<f64>,
 }
 
 impl Reruns {
@@ -72,8 +74,9 @@ impl Reruns {
 
         let total = 2 * seeds * asked.iter().flatten().count();
         progress.start("runs again at the rates asked for", total as u64);
-        let (largest, largest_records) = again(plan, &largest, progress);
-        let (own, own_records) = again(plan, &own, progress);
+        let (experiment, seeds) = (plan.experiment(), plan.seeds);
+        let (largest, largest_records) = again(&experiment, &largest, seeds, progress);
+        let (own, own_records) = again(&experiment, &own, seeds, progress);
         let together = asked
             .into_iter()
             .zip(largest)
@@ -93,18 +96,19 @@ impl Reruns {
     }
 }
 
-/// Runs each scenario that has rates at these.
-fn again(
-    plan: &Plan,
+/// Runs each scenario that has rates at these, with the first `seeds` seeds.
+pub(crate) fn again(
+    experiment: &Experiment<'_>,
     rates: &[Option<FrameRates>],
+    seeds: u64,
     progress: &dyn Progress,
 ) -> (Vec<Option<Trial>>, Vec<Record>) {
     let of_scenario = |(scenario, rates): (usize, &Option<FrameRates>)| -> Vec<Cell> {
-        let cells = grid(1, rates.as_slice(), 0..plan.seeds).into_iter();
+        let cells = grid(1, rates.as_slice(), 0..seeds).into_iter();
         cells.map(|cell| Cell { scenario, ..cell }).collect()
     };
     let cells: Vec<Cell> = rates.iter().enumerate().flat_map(of_scenario).collect();
-    let records = plan.experiment().run(&cells, |_| &[], || progress.step());
+    let records = experiment.run(&cells, |_| &[], || progress.step());
     let trial = |(scenario, rates): (usize, &Option<FrameRates>)| {
         let of_scenario = || {
             records
@@ -129,6 +133,11 @@ impl Asked {
             .iter()
             .map(|record| record.peaks.get(TABLE))
             .collect::<Option<_>>()?;
+        Self::at_most(&all)
+    }
+
+    /// None of no runs.
+    pub(crate) fn at_most(all: &[&Peaks]) -> Option<Self> {
         let camera = |place: usize| largest(all.iter().map(|peaks| peaks.cameras[place].fpr));
         Some(Self {
             largest: largest(all.iter().map(|peaks| peaks.largest))?,

@@ -2,8 +2,8 @@
 //!
 //! This is the paper's pre-deployment use: ground truth, one trajectory per actor, the one that was driven.
 
-use zhuyi_core::{ActorId, Body, Camera, CameraId, FrameRates, SimTime};
-use zhuyi_estimator::{Demand, Ego, Estimate, Estimator, Recording, Watch};
+use zhuyi_core::{ActorId, Body, Camera, CameraId, Footprint, FrameRates, SimTime};
+use zhuyi_estimator::{Demand, Ego, Estimate, Estimator, Future, Recording, Watch};
 use zhuyi_perception::Eye;
 use zhuyi_scenario::System;
 
@@ -53,13 +53,7 @@ impl<'a> Hindsight<'a> {
         current_latency: f64,
         last: Option<&Estimate>,
     ) -> Estimate {
-        let ego = Ego {
-            s: row.ego.road.s,
-            d: row.ego.road.d,
-            speed: row.ego.speed,
-            accel: row.ego.accel,
-            footprint: row.ego.footprint,
-        };
+        let ego = ego_at(row);
         let (body, future) = (&row.actors[actor.index()], &self.futures[actor.index()]);
         let (footprint, now) = (body.footprint, row.time.seconds());
         match last {
@@ -70,29 +64,42 @@ impl<'a> Hindsight<'a> {
         }
     }
 
+    /// What [`Hindsight::estimate`] asks about, for models other than the estimator's own: the ego, the actor's box and its
+    /// recorded future.
+    pub fn question(&self, row: &Row<'_>, actor: ActorId) -> (Ego, Footprint, Future<'_>) {
+        let recorded = self.futures[actor.index()].trajectory();
+        (
+            ego_at(row),
+            row.actors[actor.index()].footprint,
+            Future::new(recorded, row.time.seconds()),
+        )
+    }
+
     /// The demand on every camera at one row, in the order of the rig.
     pub fn demands(&self, estimator: &Estimator, row: &Row<'_>) -> Vec<Demand> {
+        self.demands_by(estimator, row, |actor, current_latency| {
+            self.estimate(estimator, row, actor, current_latency)
+        })
+    }
+
+    /// The same where `estimate` answers for an actor at a current latency.
+    pub fn demands_by(
+        &self,
+        estimator: &Estimator,
+        row: &Row<'_>,
+        estimate: impl FnMut(ActorId, f64) -> Estimate,
+    ) -> Vec<Demand> {
         let actors = row
             .actors
             .iter()
             .enumerate()
             .map(|(i, body)| (ActorId(i as u32), body));
-        estimator.demands(&self.rig, row.ego.pose, actors, |actor, current_latency| {
-            self.estimate(estimator, row, actor, current_latency)
-        })
+        estimator.demands(&self.rig, row.ego.pose, actors, estimate)
     }
 
     /// The largest demands over all rows.
     pub fn peaks(&self, estimator: &Estimator) -> Peaks {
-        let quiet = Peak {
-            fpr: 0.0,
-            time: SimTime::ZERO,
-            actor: None,
-        };
-        let mut peaks = Peaks {
-            cameras: vec![quiet; self.rig.len()],
-            ..Peaks::default()
-        };
+        let mut peaks = self.no_peaks();
         let mut demands = vec![estimator.quiet(); self.rig.len()];
         // The answer of the step before, of each actor.
         let mut last: Vec<Option<Estimate>> = vec![None; self.futures.len()];
@@ -109,7 +116,21 @@ impl<'a> Hindsight<'a> {
         peaks
     }
 
-    fn add(&self, peaks: &mut Peaks, time: SimTime, demands: &[Demand]) {
+    /// The largest demands over no rows, to [`Hindsight::add`] to.
+    pub fn no_peaks(&self) -> Peaks {
+        let quiet = Peak {
+            fpr: 0.0,
+            time: SimTime::ZERO,
+            actor: None,
+        };
+        Peaks {
+            cameras: vec![quiet; self.rig.len()],
+            ..Peaks::default()
+        }
+    }
+
+    /// Takes the demands of one row into the largest.
+    pub fn add(&self, peaks: &mut Peaks, time: SimTime, demands: &[Demand]) {
         let mut sum = 0.0;
         for ((demand, watch), peak) in demands.iter().zip(&self.rig).zip(&mut peaks.cameras) {
             if demand.fpr > peak.fpr {
@@ -132,6 +153,16 @@ impl<'a> Hindsight<'a> {
         if sum > peaks.sum {
             peaks.sum = sum;
         }
+    }
+}
+
+fn ego_at(row: &Row<'_>) -> Ego {
+    Ego {
+        s: row.ego.road.s,
+        d: row.ego.road.d,
+        speed: row.ego.speed,
+        accel: row.ego.accel,
+        footprint: row.ego.footprint,
     }
 }
 

@@ -1,4 +1,5 @@
-//! What `reproduce` and `robustness` have in common: rates and seeds, and results that are written or compared.
+//! What `reproduce` and `robustness` have in common: rates and seeds, and results that are written or compared. The latter,
+//! a [`Place`], `compare` has as well.
 
 use std::path::PathBuf;
 
@@ -37,8 +38,16 @@ pub struct Arguments {
 #[derive(Debug)]
 pub struct Delivery {
     plan: Plan,
-    out: PathBuf,
-    check: bool,
+    place: Place,
+}
+
+/// Where results go, or lie to be compared.
+#[derive(Debug)]
+pub struct Place {
+    /// The folder.
+    pub out: PathBuf,
+    /// Whether to compare and write nothing.
+    pub check: bool,
 }
 
 impl Arguments {
@@ -54,6 +63,30 @@ impl Arguments {
             .seeds
             .as_deref()
             .map(|typed| seed_count(typed, &mut problems));
+        let place = Place {
+            out: self.out,
+            check: self.check,
+        };
+        place.look(&mut problems);
+        let mut plan = problems.finish(plan)?;
+        plan.rates = rates.flatten().unwrap_or(plan.rates);
+        plan.seeds = seeds.flatten().unwrap_or(plan.seeds);
+        place.prepare()?;
+        Ok(Delivery { plan, place })
+    }
+}
+
+impl Delivery {
+    /// Makes the results and writes or compares them.
+    pub fn run(&self, make: impl Fn(&Plan, &dyn Progress) -> Results) -> Result<Answer, Error> {
+        interrupt::listen()?;
+        self.place.deliver(&make(&self.plan, &Bar::new()))
+    }
+}
+
+impl Place {
+    /// Notes it where there is nothing to compare with.
+    pub fn look(&self, problems: &mut Problems) {
         if self.check
             && let Err(source) = self.out.read_dir()
         {
@@ -62,29 +95,22 @@ impl Arguments {
                 source,
             });
         }
-        let mut plan = problems.finish(plan)?;
-        plan.rates = rates.flatten().unwrap_or(plan.rates);
-        plan.seeds = seeds.flatten().unwrap_or(plan.seeds);
+    }
+
+    /// Proves before a long run that files can be written here, if they will be.
+    pub fn prepare(&self) -> Result<(), Error> {
         if !self.check {
             prepare(&self.out)?;
         }
-        Ok(Delivery {
-            plan,
-            out: self.out,
-            check: self.check,
-        })
+        Ok(())
     }
-}
 
-impl Delivery {
-    /// Makes the results and writes or compares them.
-    pub fn run(&self, make: impl Fn(&Plan, &dyn Progress) -> Results) -> Result<Answer, Error> {
-        interrupt::listen()?;
-        let results = make(&self.plan, &Bar::new());
+    /// Writes or compares.
+    pub fn deliver(&self, results: &Results) -> Result<Answer, Error> {
         if self.check {
-            self.compare(&results)
+            self.compare(results)
         } else {
-            self.write(&results)
+            self.write(results)
         }
     }
 
@@ -120,7 +146,12 @@ impl Delivery {
     }
 }
 
+/// What a command says that leaves no files.
+pub fn said(results: &Results) -> String {
+    format!("{}\n", results.summary.trim_end())
+}
+
 /// What a command says, and what became of its files.
 fn told(results: &Results, verdict: &str) -> String {
-    format!("{}\n\n{verdict}\n", results.summary.trim_end())
+    format!("{}\n{verdict}\n", said(results))
 }

@@ -1,6 +1,7 @@
 //! The commands. Each file has the arguments as typed, what they mean, and the run.
 
 mod check;
+mod compare;
 mod delivery;
 mod estimate;
 mod grid;
@@ -71,6 +72,8 @@ pub enum Command {
     Reproduce(reproduce::Arguments),
     /// See how the minimum required rates move with what was chosen
     Robustness(robustness::Arguments),
+    /// Put what other safety models ask for beside what was needed, on the same drives
+    Compare(compare::Arguments),
 }
 
 impl Command {
@@ -87,6 +90,7 @@ impl Command {
             Self::Mrf(typed) => Box::new(typed.meant()?),
             Self::Reproduce(typed) => Box::new(typed.meant()?),
             Self::Robustness(typed) => Box::new(typed.meant()?),
+            Self::Compare(typed) => Box::new(typed.meant()?),
         })
     }
 }

@@ -1,4 +1,4 @@
-//! `mrf`, `sweep`, `reproduce`, `robustness`, with few runs.
+//! `mrf`, `sweep`, `reproduce`, `robustness`, `compare`, with few runs.
 
 use crate::Bench;
 use zhuyi_scenario::embedded;
@@ -100,4 +100,43 @@ fn hand_robustness_writes_its_file() {
     let out = bench.out("robustness --fpr 30 --seeds 1 --out out");
     assert!(out.ends_with("Wrote out/robustness.md\n"), "{out}");
     assert_eq!(bench.names("out"), ["robustness.md"]);
+}
+
+#[test]
+fn law_a_comparison_is_reproduced_and_a_changed_file_is_told() {
+    let bench = Bench::new();
+    let line = "compare cut-out-fast front-right-activity-1 --seeds 1 --every-ms 100 --set planner.min_gap_m=2.5";
+    let printed = bench.out(line);
+    assert!(
+        printed.starts_with("30 FPR, 1 seeds, root seed 0, models asked every 100 ms\n"),
+        "{printed}"
+    );
+    assert_eq!(bench.names("."), [""; 0], "nothing is written");
+    let out = bench.out(&format!("{line} --out out"));
+    assert!(out.starts_with(printed.trim_end()), "{out}");
+    assert_eq!(
+        bench.names("out"),
+        ["compare.csv", "compare.md", "compare_demand.csv"]
+    );
+    let page = bench.read("out/compare.md");
+    assert!(
+        page.contains(&format!("Written by `zhuyi {line}`: ")),
+        "{page}"
+    );
+    assert!(page.contains("Peaks are sharp"), "{page}");
+    let demand = bench.read("out/compare_demand.csv");
+    let header = "scenario,seed,time_s,camera,model,fpr_hz\ncut-out-fast,0,0.0,front_120,zhuyi,";
+    assert!(demand.starts_with(header), "{demand}");
+    assert!(
+        bench
+            .read("out/compare.csv")
+            .contains("\nall,rss,share_at_30,")
+    );
+    let out = bench.out(&format!("{line} --out out --check"));
+    assert!(out.contains("All 3 files in out are reproduced."), "{out}");
+    bench.write("out/compare.md", "all are safe\n");
+    let ran = bench.zhuyi(&format!("{line} --out out --check"));
+    assert_eq!(ran.code, Some(1));
+    assert!(ran.err.contains("compare.md:1: "), "{}", ran.err);
+    assert_eq!(bench.read("out/compare.md"), "all are safe\n");
 }

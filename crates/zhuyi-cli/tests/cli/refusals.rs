@@ -137,6 +137,34 @@ fn hand_ranges() {
 }
 
 #[test]
+fn hand_what_a_comparison_does_not_take() {
+    refused(
+        "compare cut-inn cut-of --seeds 0 --fpr 1:30 --every-ms 15 --root-seed x",
+        &[
+            "did you mean `cut-in`?",
+            "did you mean `cut-out`?",
+            "the number of seeds must be 1 to 100000, got 0",
+            "expected a whole number, got `1:30`",
+            "the time between two questions must be a multiple of 10, got 15",
+            "--root-seed:1:1",
+        ],
+    );
+    refused(
+        "compare --every-ms 0",
+        &["the time between two questions must be 10 to 10000, got 0"],
+    );
+    refused(
+        "compare --fpr 0",
+        &["a frame rate must be 1 to 1000, got 0"],
+    );
+    refused(
+        "compare cut-in cut-in",
+        &["scenario `cut-in` is given twice"],
+    );
+    refused("compare --check", &["--out <DIR>"]);
+}
+
+#[test]
 fn hand_seeds() {
     refused(
         "run cut-in --seed -1",
@@ -196,6 +224,7 @@ fn hand_files_that_cannot_be_read() {
         ("mrf cut-in . --fpr 1", "cannot read `.`: "),
         ("check missing.ron", "cannot read `missing.ron`: "),
         ("reproduce --check --out missing", "cannot read `missing`: "),
+        ("compare --check --out missing", "cannot read `missing`: "),
     ] {
         let ran = bench.zhuyi(line);
         assert_eq!(ran.code, Some(4), "{line}");

@@ -5,11 +5,13 @@
 //! - `claims`: verdicts on tables that were written by hand;
 //! - `files`: shape of every file of a small plan;
 //! - `reruns`: which rates are run again;
-//! - `moves`: the file of `zhuyi robustness` on a small plan.
+//! - `moves`: the file of `zhuyi robustness` on a small plan;
+//! - `compare`: the audit of all models against hand counts and replays, and its files.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 mod claims;
+mod compare;
 mod determinism;
 mod files;
 mod moves;
