@@ -115,7 +115,9 @@ impl<'a> Encounter<'a> {
                 cell.start
             };
             let b = if end < cell.end { end } else { cell.end };
-            if a > b {
+            // The end of a cell belongs to the next one, if there is one.
+            let over = a >= cell.end && cell.start < cell.end && cell.end < self.corridor.horizon;
+            if a > b || over {
                 break;
             }
             place += 1;

@@ -273,3 +273,22 @@ fn hand_lists_that_are_empty_or_not_numbers_do_not_panic() {
     }); // extended backwards
     assert_eq!(scene.ask(&Params::default()).state, State::Unavoidable);
 }
+
+/// At the very instant at which the ego reacts, after 1 s, the actor's next piece begins, 15 m nearer and on the ego
+/// (which went 20 m). The piece before, 30 m away and faster, holds no more at that instant; at 0.967 s it does.
+#[test]
+fn hand_the_end_of_a_piece_belongs_to_the_next() {
+    let params = Params {
+        confirm_frames: 0,
+        c1: 1.0,
+        c2: 1.0,
+        ..Params::default()
+    };
+    let mut scene = Scene::following(20.0, 5.0, 25.0);
+    scene
+        .along
+        .push(Along::constant_accel(1.0, 15.0 + CAR.length, 25.0, 0.0));
+    let estimate = scene.ask(&params);
+    assert_eq!(answer(&estimate), (State::Tolerable, Some(0.967)));
+    assert_eq!(estimate.binding, Some(Binding::PassThrough));
+}
