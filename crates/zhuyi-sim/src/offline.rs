@@ -63,7 +63,9 @@ impl<'a> Hindsight<'a> {
         let (body, future) = (&row.actors[actor.index()], &self.futures[actor.index()]);
         let (footprint, now) = (body.footprint, row.time.seconds());
         match last {
-            Some(last) => estimator.recorded_after(&ego, footprint, future, now, current_latency, last),
+            Some(last) => {
+                estimator.recorded_after(&ego, footprint, future, now, current_latency, last)
+            }
             None => estimator.recorded(&ego, footprint, future, now, current_latency),
         }
     }
