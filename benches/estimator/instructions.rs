@@ -1,9 +1,10 @@
 //! Instructions and evaluations of the estimator, case by case (see [`cases`]), as CSV: `cargo bench --bench
-//! instructions`.
+//! instructions`, or `.. -- slower` for the cases with that in their name.
 //!
 //! The bench runs itself under valgrind's callgrind, which counts what happens inside [`measured`] and writes one file
-//! per call of it; so building a case is not counted, and the counts repeat to the last digit on any load. Without
-//! valgrind there is nothing to count and the bench says so.
+//! per call of it; so building a case is not counted, and the counts repeat to the last digit on any load. Of a single
+//! case `callgrind_annotate target/tmp/instructions/calls.1` tells which lines they come from. Without valgrind there is
+//! nothing to count and the bench says so.
 //!
 //! The paper counts |A| |T| M L evaluations: M = 10 jumps for each of L = 30 latencies, for every trajectory of every
 //! actor, at some 100 operations each. The other count is that of
@@ -29,8 +30,12 @@ const COUNTED: &str = "--counted";
 type Failure = Box<dyn std::error::Error>;
 
 fn main() -> Result<(), Failure> {
+    let filter = env::args()
+        .skip(1)
+        .find(|argument| !argument.starts_with('-'));
+    let filter = filter.unwrap_or_default();
     if env::args().any(|argument| argument == COUNTED) {
-        for (_, case) in named_cases() {
+        for (_, case) in cases_with(&filter) {
             // What happens in the first call alone, such as the linker looking symbols up, is not counted.
             (case.ask)();
             measured(&case.ask);
@@ -51,10 +56,10 @@ fn main() -> Result<(), Failure> {
         ])
         .arg(format!("--callgrind-out-file={}", files.display()))
         .arg(env::current_exe()?)
-        .arg(COUNTED)
+        .args([COUNTED, &filter])
         .status();
     match run {
-        Ok(status) if status.success() => report(&files),
+        Ok(status) if status.success() => report(&files, &filter),
         Ok(status) => Err(format!("valgrind ended with {status}").into()),
         Err(error) if error.kind() == ErrorKind::NotFound => {
             eprintln!("no instruction counts: valgrind is not installed");
@@ -72,8 +77,8 @@ fn measured(ask: &dyn Fn()) {
     black_box(());
 }
 
-/// All cases with the names of their lists.
-fn named_cases() -> Vec<(&'static str, Case)> {
+/// The cases with `filter` in their names `list/case`, each with its list.
+fn cases_with(filter: &str) -> Vec<(&'static str, Case)> {
     [
         ("one_actor", cases::one_actor()),
         ("many", cases::many()),
@@ -82,13 +87,14 @@ fn named_cases() -> Vec<(&'static str, Case)> {
     ]
     .into_iter()
     .flat_map(|(list, cases)| cases.into_iter().map(move |case| (list, case)))
+    .filter(|(list, case)| format!("{list}/{}", case.name).contains(filter))
     .collect()
 }
 
 #[expect(clippy::print_stdout, reason = "the table is the result")]
-fn report(files: &Path) -> Result<(), Failure> {
+fn report(files: &Path, filter: &str) -> Result<(), Failure> {
     println!("case,trajectories,instructions,evaluations,paper_evaluations");
-    for (place, (list, case)) in named_cases().into_iter().enumerate() {
+    for (place, (list, case)) in cases_with(filter).into_iter().enumerate() {
         let file = PathBuf::from(format!("{}.{}", files.display(), place + 1));
         let instructions = fs::read_to_string(&file)
             .ok()
