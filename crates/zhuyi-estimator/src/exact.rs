@@ -226,7 +226,11 @@ impl<F: Fn(usize) -> Candidate> Search<'_, '_, F> {
         (self.best, self.t_n) = (self.best - 1, Some(time));
         while low < self.best {
             let next = self.best - 1 - (stride - 1).min((self.best - low) / 2);
-            let candidate = (self.candidate)(next);
+            let candidate = if next == self.alive {
+                self.back
+            } else {
+                (self.candidate)(next)
+            };
             self.evaluations += 1;
             match self.encounter.verdict(self.ask, &candidate, cell, bounds) {
                 Verdict::Met(time) => {
