@@ -229,6 +229,7 @@ impl Walk {
         None
     }
 
+    #[inline]
     fn judge(&mut self, corridor: &Corridor<'_>, start: f64, end: f64, side: Side) -> Span {
         let mut abreast = false;
         if side == Side::Apart {
