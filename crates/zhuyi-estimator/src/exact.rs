@@ -9,7 +9,7 @@
 //! | before the first conflict | Eq. 1 and 2 hold | no |
 //! | conflict, not yet overlapping sideways | Eq. 1 and 2 hold | no |
 //! | conflict, overlapping sideways | Eq. 1 and 2 hold | yes |
-//! | after, outside the corridor | there is no contact in the whole of [0, horizon] | no |
+//! | after, outside the corridor or in a stay that is dropped | there is no contact in the whole of [0, horizon] | no |
 //!
 //! Law: with `a_b >= -a_0` (always so for C4 >= 1) an ego that reacts earlier is at no time further or faster. So of
 //! candidates in order of falling reaction time, at any moment of the walk
