@@ -150,6 +150,8 @@ impl Params {
                 _ => return Err(Status::OutOfRange),
             },
             aggregation: self.aggregation()?,
+            // What goes beyond the paper is off.
+            ..zhuyi_estimator::Params::default()
         })
     }
 

@@ -181,6 +181,14 @@ impl EgoMotion {
         }
     }
 
+    /// The same motion, all of it this much further.
+    pub(crate) fn with_head_start(mut self, head_start: f64) -> Self {
+        for phase in &mut self.phases {
+            phase.distance += head_start;
+        }
+        self
+    }
+
     /// Hold the acceleration for ever: no braking, but no reversing either.
     pub fn held(start: Start) -> Self {
         if start.accel < 0.0 {

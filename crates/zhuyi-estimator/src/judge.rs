@@ -1,11 +1,11 @@
-//! The verdict on one reaction time, by either solver and either criterion, and what speaks against a refused one.
+//! The verdict on one delay, by either solver and either criterion, and what speaks against a refused one.
 //!
 //! A latency is refused when no t_n exists. That is put down to pass-through where a t_n would exist but for
 //! contact (reading R6), to the speed (Eq. 2) where the ego is never slow enough, and to the distance (Eq. 1)
 //! otherwise.
 
 use crate::conflict::Zone;
-use crate::encounter::{Ask, Encounter, overlap};
+use crate::encounter::{Ask, Delay, Encounter, overlap};
 use crate::exact::Found;
 use crate::{Binding, Criterion, Params, Solver, exact, paper};
 
@@ -17,16 +17,16 @@ pub(crate) struct Judge<'a> {
 }
 
 impl Judge<'_> {
-    /// The first of `count` reaction times (at least one), given in falling order, that will do. `guess` says where to
-    /// look first.
+    /// The first of `count` delays (at least one), given in falling order, that will do. `guess` says where to look
+    /// first.
     pub fn first_tolerable(
         &self,
         count: usize,
-        reaction_time: impl Fn(usize) -> f64,
+        delay: impl Fn(usize) -> Delay,
         guess: usize,
     ) -> Found {
         if !self.jumps() && self.encounter.earlier_is_better() {
-            let candidate = |index| self.encounter.candidate(reaction_time(index));
+            let candidate = |index| self.encounter.candidate(delay(index));
             return exact::first_tolerable_near(
                 self.encounter,
                 self.params.criterion,
@@ -36,7 +36,7 @@ impl Judge<'_> {
             );
         }
         let tolerated = |index| {
-            let t_n = self.tolerated(reaction_time(index))?;
+            let t_n = self.tolerated(delay(index))?;
             Some(Found {
                 index,
                 t_n,
@@ -50,18 +50,17 @@ impl Judge<'_> {
         })
     }
 
-    /// Whether one reaction time will do, and its t_n.
-    fn tolerated(&self, reaction_time: f64) -> Option<Option<f64>> {
+    /// Whether one delay will do, and its t_n.
+    fn tolerated(&self, delay: Delay) -> Option<Option<f64>> {
         if self.jumps() {
-            return paper::found_time(self.encounter, reaction_time, self.params.max_steps)
-                .map(Some);
+            return paper::found_time(self.encounter, delay, self.params.max_steps).map(Some);
         }
-        self.exactly(reaction_time)
+        self.exactly(delay)
     }
 
     /// The same in continuous time.
-    fn exactly(&self, reaction_time: f64) -> Option<Option<f64>> {
-        let candidate = |_| self.encounter.candidate(reaction_time);
+    fn exactly(&self, delay: Delay) -> Option<Option<f64>> {
+        let candidate = |_| self.encounter.candidate(delay);
         let found = exact::first_tolerable(self.encounter, self.params.criterion, 0..1, candidate);
         (found.index == 0).then_some(found.t_n)
     }
@@ -71,20 +70,20 @@ impl Judge<'_> {
         self.params.criterion == Criterion::Paper && self.params.solver == Solver::Paper
     }
 
-    /// What refuses a reaction time that is not tolerable; `None` if it leaves no time in the horizon at all, or if
+    /// What refuses a delay that is not tolerable; `None` if it leaves no time in the horizon at all, or if
     /// nothing does and the jumps missed every t_n.
     ///
     /// Until `unmet_until` it is known not to meet the constraints.
-    pub fn refusal(&self, reaction_time: f64, unmet_until: f64) -> Option<Binding> {
-        let encounter = self.encounter;
+    pub fn refusal(&self, delay: Delay, unmet_until: f64) -> Option<Binding> {
+        let (encounter, reaction_time) = (self.encounter, delay.reaction_time);
         if self.params.criterion == Criterion::Standstill {
             return Some(Binding::PassThrough);
         }
         let horizon = encounter.corridor.horizon;
-        if reaction_time > horizon || (self.jumps() && self.exactly(reaction_time).is_some()) {
+        if reaction_time > horizon || (self.jumps() && self.exactly(delay).is_some()) {
             return None;
         }
-        let candidate = encounter.candidate(reaction_time);
+        let candidate = encounter.candidate(delay);
         let met = Ask {
             contact: false,
             met: true,

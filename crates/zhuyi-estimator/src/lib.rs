@@ -46,6 +46,7 @@ pub mod params;
 pub mod recording;
 pub mod rivals;
 pub mod samples;
+pub mod uncertainty;
 
 mod conflict;
 mod encounter;
@@ -66,3 +67,4 @@ pub use grid::Latencies;
 pub use model::{Reaction, SafetyModel};
 pub use params::{Aggregation, Criterion, Grid, Params, Solver};
 pub use recording::Recording;
+pub use uncertainty::Uncertainty;

@@ -1,4 +1,7 @@
 //! The estimator's parameters, with the paper's values as [`Params::default`] (paper, "Zhuyi model parameters"; readings R1-R14).
+//! What goes beyond the paper is an option, and off.
+
+use crate::Uncertainty;
 
 /// How candidate latencies are spaced (reading R4).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -70,6 +73,8 @@ pub struct Params {
     pub criterion: Criterion,
     /// Several trajectories into one.
     pub aggregation: Aggregation,
+    /// Beyond the paper: how uncertain actors are; none: what is perceived is taken as exact.
+    pub uncertainty: Option<Uncertainty>,
 }
 
 impl Default for Params {
@@ -87,6 +92,7 @@ impl Default for Params {
             solver: Solver::default(),
             criterion: Criterion::default(),
             aggregation: Aggregation::Percentile(0.99),
+            uncertainty: None,
         }
     }
 }

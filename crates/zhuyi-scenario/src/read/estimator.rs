@@ -1,5 +1,6 @@
-//! The estimator. A field that is left out has the paper's value.
+//! The estimator. A field that is left out has the paper's value; what goes beyond the paper is off.
 
+use super::beyond::{option, uncertainty};
 use super::rig::latency;
 use super::{ACCEL, COUNT, read_all};
 use crate::fields::Fields;
@@ -54,6 +55,7 @@ fn params(fields: &Fields) -> Option<Params> {
         aggregation: fields
             .optional("aggregation")
             .map_or(Some(paper.aggregation), |node| aggregation(&node)),
+        uncertainty: option(fields, "uncertainty", "Track", uncertainty),
     })
 }
 
