@@ -1,7 +1,7 @@
 //! The estimator's parameters, with the paper's values as [`Params::default`] (paper, "Zhuyi model parameters"; readings R1-R14).
 //! What goes beyond the paper is an option, and off.
 
-use crate::Uncertainty;
+use crate::{Evasion, Uncertainty};
 
 /// How candidate latencies are spaced (reading R4).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -75,6 +75,8 @@ pub struct Params {
     pub aggregation: Aggregation,
     /// Beyond the paper: how uncertain actors are; none: what is perceived is taken as exact.
     pub uncertainty: Option<Uncertainty>,
+    /// Beyond the paper: how the ego may evade, for [`Estimator::evading`](crate::Estimator::evading) alone; none: it brakes.
+    pub evasion: Option<Evasion>,
 }
 
 impl Default for Params {
@@ -93,6 +95,7 @@ impl Default for Params {
             criterion: Criterion::default(),
             aggregation: Aggregation::Percentile(0.99),
             uncertainty: None,
+            evasion: None,
         }
     }
 }

@@ -1,10 +1,10 @@
 //! The options of the estimator that go beyond the paper. A field that is left out is off.
 
 use crate::fields::Fields;
-use crate::limits::within;
+use crate::limits::{above, within};
 use crate::node::Node;
-use zhuyi_estimator::Uncertainty;
 use zhuyi_estimator::uncertainty::Covariance;
+use zhuyi_estimator::{Evasion, Uncertainty};
 
 /// An option that `name` spells, off unless it stands there.
 #[expect(clippy::option_option, reason = "refused, or read: off or on")]
@@ -37,5 +37,15 @@ pub(super) fn uncertainty(fields: &Fields) -> Option<Uncertainty> {
         sigmas: sigmas?,
         covariance: Covariance::independent(position?, speed?, accel?),
         jerk_density: jerk_density?,
+    })
+}
+
+/// A lane change.
+pub(super) fn evasion(fields: &Fields) -> Option<Evasion> {
+    let lateral_accel = fields.number("lateral_accel_mps2", above(0.0, 20.0));
+    let window = fields.number("window_s", within(0.0, 100.0));
+    Some(Evasion {
+        lateral_accel: lateral_accel?,
+        window: window?,
     })
 }

@@ -1,6 +1,6 @@
 //! The estimator. A field that is left out has the paper's value; what goes beyond the paper is off.
 
-use super::beyond::{option, uncertainty};
+use super::beyond::{evasion, option, uncertainty};
 use super::rig::latency;
 use super::{ACCEL, COUNT, read_all};
 use crate::fields::Fields;
@@ -56,6 +56,7 @@ fn params(fields: &Fields) -> Option<Params> {
             .optional("aggregation")
             .map_or(Some(paper.aggregation), |node| aggregation(&node)),
         uncertainty: option(fields, "uncertainty", "Track", uncertainty),
+        evasion: option(fields, "evasion", "LaneChange", evasion),
     })
 }
 

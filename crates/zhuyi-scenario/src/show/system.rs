@@ -3,7 +3,7 @@
 use super::{degrees, number_for, value::Value};
 use crate::model::{Jitter, System};
 use Value::{List, Number, Struct, Text, Truth, Variant, Whole};
-use zhuyi_estimator::{Aggregation, Criterion, Grid, Solver, Uncertainty};
+use zhuyi_estimator::{Aggregation, Criterion, Evasion, Grid, Solver, Uncertainty};
 use zhuyi_perception::Eye;
 use zhuyi_planner::PlannerParams;
 use zhuyi_prediction::Predictor;
@@ -202,7 +202,24 @@ fn estimator(system: &System) -> Value {
     let uncertainty = params
         .uncertainty
         .map(|on| ("uncertainty", uncertainty(&on)));
-    Struct(paper.into_iter().chain(uncertainty).collect())
+    let evasion = params.evasion.map(|on| ("evasion", evasion(on)));
+    Struct(
+        paper
+            .into_iter()
+            .chain(uncertainty)
+            .chain(evasion)
+            .collect(),
+    )
+}
+
+fn evasion(on: Evasion) -> Value {
+    Variant(
+        "LaneChange",
+        vec![
+            ("lateral_accel_mps2", Number(on.lateral_accel)),
+            ("window_s", Number(on.window)),
+        ],
+    )
 }
 
 /// Files know deviations alone: covariances between them are not written.

@@ -439,6 +439,11 @@ fn hand_systems() {
             ),
             (
                 "estimator: ()",
+                "estimator: (evasion: LaneChange(lateral_accel_mps2: 0, window_s: 4))",
+                "23:57 `lateral_accel_mps2` must be above 0 and at most 20, got 0",
+            ),
+            (
+                "estimator: ()",
                 "estimator: (c3: 4.9)",
                 "23:17 unknown field `c3` (did you mean `c3_mps2`?)",
             ),
