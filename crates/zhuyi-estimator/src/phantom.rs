@@ -31,7 +31,7 @@ use std::f64::consts::TAU;
 use zhuyi_core::geometry::wrap_angle;
 use zhuyi_core::{Across, Along, Body, Camera, Footprint, Point, Pose};
 
-use crate::Future;
+use crate::{Future, Watch};
 
 /// [m] how far apart places are looked at.
 pub const STEP: f64 = 1.0;
@@ -81,6 +81,16 @@ pub struct Phantom {
 }
 
 impl Phantom {
+    /// Whether it is a camera's business: some of it lies in the field of view, and no further than at the limit of the
+    /// range. Whether it is hidden does not matter: hidden it is.
+    pub fn counts_for(&self, camera: &Camera, ego: Pose, footprint: Footprint) -> bool {
+        let outline = Outline::new(camera.pose(ego), footprint, self.pose);
+        let half = camera.fov / 2.0;
+        outline.distance <= camera.range + 2.0 * EXACT
+            && outline.bearing + outline.right < half
+            && outline.bearing + outline.left > -half
+    }
+
     /// Its future, seen from t_0.
     pub fn future(&self) -> Future<'_> {
         Future {
@@ -111,6 +121,7 @@ impl<P: Fn(f64) -> Pose> Surroundings<'_, P> {
     /// front bumper on. If the lead keeps 2 s to it at 10 m/s, from 20 m further on.
     /// ```
     /// use zhuyi_core::{Body, Camera, Footprint, Frenet, Pose};
+    /// use zhuyi_estimator::Watch;
     /// use zhuyi_estimator::phantom::{PhantomParams, Surroundings};
     /// let camera = Camera {
     ///     name: "front".into(), forward: 2.0, left: 0.0, yaw: 0.0, fov: 2.0, range: 100.0, analysed: true,
@@ -119,6 +130,7 @@ impl<P: Fn(f64) -> Pose> Surroundings<'_, P> {
     ///     footprint: Footprint { length: 4.0, width: 1.9 }, road: Frenet { s, d: 0.0 },
     ///     pose: Pose::new(s, 0.0, 0.0), speed, accel: 0.0, s_rate: speed, d_rate: 0.0,
     /// };
+    /// let rig = [Watch { camera: &camera, current_latency: 1.0 / 30.0 }];
     /// let (ego, lead) = (car(0.0, 10.0), [car(24.0, 10.0)]);
     /// let path = |s: f64| Pose::new(s, 0.0, 0.0);
     /// let alone = Surroundings { ego: &ego, bodies: &[], path };
@@ -126,16 +138,16 @@ impl<P: Fn(f64) -> Pose> Surroundings<'_, P> {
     ///
     /// let edge = PhantomParams { footprint: car(0.0, 0.0).footprint, ..PhantomParams::default() };
     /// let rear = |phantom: Option<_>| phantom.map(|found: zhuyi_estimator::phantom::Phantom| found.s - 2.0);
-    /// assert!((rear(alone.phantom(&[&camera], &edge)).unwrap() - 102.0).abs() < 2e-3);
-    /// assert_eq!(rear(behind.phantom(&[&camera], &edge)), Some(26.0));
+    /// assert!((rear(alone.phantom(&rig, &edge)).unwrap() - 102.0).abs() < 2e-3);
+    /// assert_eq!(rear(behind.phantom(&rig, &edge)), Some(26.0));
     /// let kept = PhantomParams { headway: 2.0, ..edge };
-    /// assert_eq!(rear(behind.phantom(&[&camera], &kept)), Some(46.0));
+    /// assert_eq!(rear(behind.phantom(&rig, &kept)), Some(46.0));
     /// ```
-    pub fn phantom(&self, rig: &[&Camera], params: &PhantomParams) -> Option<Phantom> {
+    pub fn phantom(&self, rig: &[Watch<'_>], params: &PhantomParams) -> Option<Phantom> {
         let half = params.footprint.length / 2.0;
         let furthest = rig
             .iter()
-            .map(|camera| camera.range + camera.forward.hypot(camera.left));
+            .map(|Watch { camera, .. }| camera.range + camera.forward.hypot(camera.left));
         let limit = self.ego.road.s + furthest.fold(0.0, f64::max) + 2.0 * half + STEP;
         let mut s = self.ego.front() + half;
         let mut seen_at = None;
@@ -161,7 +173,7 @@ impl<P: Fn(f64) -> Pose> Surroundings<'_, P> {
         &self,
         seen_at: Option<f64>,
         unseen: f64,
-        rig: &[&Camera],
+        rig: &[Watch<'_>],
         params: &PhantomParams,
     ) -> f64 {
         let Some(mut seen) = seen_at else {
@@ -214,9 +226,9 @@ impl<P: Fn(f64) -> Pose> Surroundings<'_, P> {
     }
 
     /// Whether some camera sees a phantom with its centre at `s`.
-    fn seen(&self, s: f64, rig: &[&Camera], params: &PhantomParams) -> bool {
+    fn seen(&self, s: f64, rig: &[Watch<'_>], params: &PhantomParams) -> bool {
         let pose = (self.path)(s);
-        rig.iter().any(|camera| {
+        rig.iter().any(|Watch { camera, .. }| {
             let eye = camera.pose(self.ego.pose);
             let phantom = Outline::new(eye, params.footprint, pose);
             phantom.distance <= camera.range

@@ -4,7 +4,7 @@ use crate::scene::L0;
 use proptest::prelude::*;
 use zhuyi_core::{Body, Camera, Footprint, Frenet, Pose};
 use zhuyi_estimator::phantom::visible_share;
-use zhuyi_estimator::{Ego, Estimator, Params, PhantomParams, State, Surroundings};
+use zhuyi_estimator::{Ego, Estimator, Params, PhantomParams, State, Surroundings, Watch};
 
 const CAR: Footprint = Footprint {
     length: 4.8,
@@ -23,6 +23,13 @@ fn front(range: f64) -> Camera {
     }
 }
 
+fn watch(camera: &Camera) -> Watch<'_> {
+    Watch {
+        camera,
+        current_latency: L0,
+    }
+}
+
 fn body(footprint: Footprint, s: f64, d: f64, speed: f64) -> Body {
     Body {
         footprint,
@@ -36,9 +43,10 @@ fn body(footprint: Footprint, s: f64, d: f64, speed: f64) -> Body {
 }
 
 /// [m] where the phantom's rear bumper is on a straight road.
-fn rear(ego: &Body, bodies: &[Body], rig: &[&Camera], params: &PhantomParams) -> Option<f64> {
+fn rear(ego: &Body, bodies: &[Body], cameras: &[&Camera], params: &PhantomParams) -> Option<f64> {
+    let rig: Vec<Watch<'_>> = cameras.iter().copied().map(watch).collect();
     let path = |s: f64| Pose::new(s, ego.road.d, 0.0);
-    let found = Surroundings { ego, bodies, path }.phantom(rig, params)?;
+    let found = Surroundings { ego, bodies, path }.phantom(&rig, params)?;
     assert_eq!(found.pose.x, found.s);
     Some(found.s - params.footprint.length / 2.0)
 }
@@ -136,7 +144,7 @@ fn hand_a_bend_hides_what_is_around_it() {
         bodies: &[wall],
         path,
     }
-    .phantom(&[&camera], &PhantomParams::default())
+    .phantom(&[watch(&camera)], &PhantomParams::default())
     .unwrap();
     // ... inside of the box's place: at least half of it is behind the wall from there on and less half a metre before.
     let share = |s: f64| visible_share(&camera, ego.pose, CAR, path(s), &[wall]);
@@ -163,7 +171,7 @@ proptest! {
         let estimator = Estimator::new(Params::default());
         let start = Ego { s: 0.0, d: 0.0, speed, accel: 0.0, footprint: CAR };
         let asked = |headway: f64| {
-            let phantom = around.phantom(&[&camera], &PhantomParams { headway, ..PhantomParams::default() }).unwrap();
+            let phantom = around.phantom(&[watch(&camera)], &PhantomParams { headway, ..PhantomParams::default() }).unwrap();
             let estimate = estimator.trajectory(&start, CAR, &phantom.future(), L0);
             let tolerated = match estimate.state {
                 State::None | State::Tolerable => estimate.latency.unwrap(),
@@ -189,7 +197,7 @@ proptest! {
         let bodies: Vec<Body> = others.into_iter().map(place).collect();
         let path = |s: f64| Pose::new(s, 0.0, 0.0);
         let params = PhantomParams::default();
-        let found = Surroundings { ego: &ego, bodies: &bodies, path }.phantom(&[&camera], &params).unwrap();
+        let found = Surroundings { ego: &ego, bodies: &bodies, path }.phantom(&[watch(&camera)], &params).unwrap();
         let taken = |s: f64| bodies.iter().any(|body| body.road.d.abs() < 1.9 && (body.road.s - s).abs() < 4.8 - 1e-9);
         let share = |s: f64| visible_share(&camera, ego.pose, CAR, path(s), &bodies);
         prop_assert!(!taken(found.s));
