@@ -97,6 +97,21 @@ impl Uncertainty {
         }
     }
 
+    /// Another: the same filter after its first frame, which knows nothing of the acceleration but that it is of the
+    /// order of 3 m/s2.
+    ///
+    /// 2.326 sqrt(0.1² + (0.05 x 0.5)² + (0.125 x 3)² + 3 x 0.5⁵/4) = 0.973 m after 0.5 s.
+    /// ```
+    /// use zhuyi_estimator::Uncertainty;
+    /// assert!((Uncertainty::first_sight().head_start(0.5) - 0.973).abs() < 1e-3);
+    /// ```
+    pub fn first_sight() -> Self {
+        Self {
+            covariance: Covariance::independent(0.1, 0.05, 3.0),
+            ..Self::example()
+        }
+    }
+
     /// The same with the position as uncertain as a track says it is; correlations are kept.
     ///
     /// The track tells no more than that. What this uncertainty holds of speed, acceleration and process stays, and so

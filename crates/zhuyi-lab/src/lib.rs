@@ -4,6 +4,7 @@
 //!  Plan ──cells──▶ [sweep] ──Records──▶ [table] ──▶ table1.md, table1.csv
 //!                     │                    └──────▶ [claims] ──▶ claims.md
 //!                     └──▶ [reruns] at the rates asked for ──▶ [runs] ──▶ runs.csv        [manifest] ──▶ manifest.json
+//!  Plan ──▶ [beyond]: the estimator's options beyond the paper ──▶ beyond.md, lines for figures
 //!  Plan ──▶ [robustness]: one thing changed at a time, fresh seeds ──▶ robustness.md
 //! ```
 //!
@@ -13,6 +14,7 @@
 //! What it guarantees, each shown by a test: the same plan gives the same bytes at any number of threads; the order of the
 //! cells changes nothing; a run alone is the run of its sweep; no number of the paper's table is known outside [`paper`].
 
+pub mod beyond;
 #[doc = include_str!("calibration.md")]
 pub mod calibration {}
 pub mod claims;
@@ -34,6 +36,7 @@ pub mod sweep;
 pub mod table;
 mod text;
 
+pub use beyond::beyond;
 pub use error::LabError;
 pub use progress::Progress;
 pub use reproduce::{Plan, reproduce};

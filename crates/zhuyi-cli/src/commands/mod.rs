@@ -1,5 +1,6 @@
 //! The commands. Each file has the arguments as typed, what they mean, and the run.
 
+mod beyond;
 mod check;
 mod delivery;
 mod grid;
@@ -68,6 +69,8 @@ pub enum Command {
     Reproduce(reproduce::Arguments),
     /// See how the minimum required rates move with what was chosen
     Robustness(robustness::Arguments),
+    /// See what the estimator's options beyond the paper change
+    Beyond(beyond::Arguments),
 }
 
 impl Command {
@@ -83,6 +86,7 @@ impl Command {
             Self::Mrf(typed) => Box::new(typed.meant()?),
             Self::Reproduce(typed) => Box::new(typed.meant()?),
             Self::Robustness(typed) => Box::new(typed.meant()?),
+            Self::Beyond(typed) => Box::new(typed.meant()?),
         })
     }
 }

@@ -5,10 +5,12 @@
 //! - `claims`: verdicts on tables that were written by hand;
 //! - `files`: shape of every file of a small plan;
 //! - `reruns`: which rates are run again;
-//! - `moves`: the file of `zhuyi robustness` on a small plan.
+//! - `moves`: the file of `zhuyi robustness` on a small plan;
+//! - `beyond`: that of `zhuyi beyond`.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
+mod beyond;
 mod claims;
 mod determinism;
 mod files;
