@@ -120,7 +120,7 @@ fn before_sight(name: &str, headway: f64) -> (f64, f64, f64) {
     };
     let run = Simulation::new(&scenario, &system, &rates, draws).run();
     let obstacle = scenario.actors.iter().position(|a| a.name == "obstacle");
-    let obstacle = obstacle.unwrap();
+    let obstacle = obstacle.expect("an obstacle");
     let share = system.perception.visible_share;
     let params = PhantomParams {
         headway,
@@ -152,13 +152,13 @@ fn before_sight(name: &str, headway: f64) -> (f64, f64, f64) {
 }
 
 fn read(name: &str) -> (Scenario, System) {
-    let scenario = Source::new(format!("{name}.ron"), embedded::scenario(name).unwrap());
+    let scenario = Source::new(format!("{name}.ron"), embedded::scenario(name).expect(name));
     load(
         &scenario,
         &Source::new("default.ron", embedded::system()),
         &[],
     )
-    .unwrap()
+    .expect("embedded files")
 }
 
 /// The obstacle needs K + 1 periods from its sight to its confirmation: what is asked for before its sight is asked for
