@@ -30,6 +30,10 @@
 //! braking and evasion together tolerate the larger of both. The speed is held, or falls as it does anyway: a driver
 //! who evades does not brake hard (that both share the tyres is why a_y has a limit), and does not accelerate.
 //!
+//! **When it helps.** Behind a car that drives on, braking closes in by dv²/(2 a_b) and evasion by dv T: at 2.1 m, a_y = 5
+//! m/s2 and a_b = 4.9 m/s2 evasion is the shorter one from dv = 2 a_b T = 15 m/s on. Before a slow car that cuts in braking
+//! is, and the answer is the paper's.
+//!
 //! Source: minimum jerk, Flash & Hogan 1985 (see [`zhuyi_core::lane_change`]). Left out: evasion with braking, coming
 //! back, what happens beside the actor later on, and whether the side stays free: [`Evasion::free_sides`] looks at a
 //! window of time with all speeds held.

@@ -142,7 +142,10 @@ impl Draft {
     fn write(dir: &Path, name: &str, text: &str) -> Result<Self, LabError> {
         let path = dir.join(name);
         let (parent, file) = (path.parent().unwrap_or(dir), path.file_name());
-        fs::create_dir_all(parent).map_err(Attempt::CreateDirectory.on(parent))?;
+        // A folder of its own, never that of the results: where that has vanished something is wrong.
+        if parent != dir && !parent.is_dir() {
+            fs::create_dir(parent).map_err(Attempt::CreateDirectory.on(parent))?;
+        }
         let file = file.unwrap_or_default().to_string_lossy();
         let draft = Self(parent.join(format!(".{file}.{}.draft", std::process::id())));
         let written = File::create(&draft.0).and_then(|mut file| {
