@@ -158,6 +158,8 @@ impl Params {
                 1 => true,
                 _ => return Err(Status::OutOfRange),
             },
+            // What goes beyond the paper is off.
+            ..zhuyi_estimator::Params::default()
         })
     }
 
