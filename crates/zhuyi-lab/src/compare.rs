@@ -9,8 +9,10 @@
 //!
 //! - at a step: the largest latency of the grid with which an ego that holds a_0 for t_r and then brakes at a_b touches
 //!   nobody within the horizon, given the future that was recorded (criterion `standstill`: it has none of the margins
-//!   C1 and C2, so what is called too little here ends in a contact, not in a margin used up);
-//! - in a scenario: the MRF of the closed loop, whose planner brakes as it likes, and the runs made again at what was asked.
+//!   C1 and C2, so what is called too little here ends in a contact, not in a margin used up). It is the answer of Zhuyi's own
+//!   procedure, with the same a_b and the same held a_0, which favours `zhuyi` over models that assume other things;
+//! - in a scenario: the MRF of the closed loop, whose planner brakes as it likes, and the runs made again at what was asked: it favours
+//!   no model's assumptions.
 //!
 //! Every model is asked about the same step with the same l_0, the same confirmation and the same grid of latencies, and
 //! counts the same actors for the same cameras (readings R14, R21). Left out: what a model would have made of a run that
@@ -26,6 +28,8 @@ pub mod scenes;
 
 mod files;
 mod findings;
+mod ideas;
+mod in_short;
 mod page;
 
 use rayon::prelude::*;
@@ -39,7 +43,7 @@ use crate::results::Results;
 use crate::sweep::{Cell, Experiment, grid};
 use audit::{Audit, Audited};
 use closed_loop::ClosedLoop;
-use models::Panel;
+use models::{Assumptions, Panel};
 
 /// What is compared on what.
 #[derive(Clone, Debug)]
@@ -88,6 +92,8 @@ impl Comparison {
 pub struct Compared {
     /// Names of the models, in the order of all columns; what was needed is the answer of that at [`models::NEEDED`].
     pub models: Vec<&'static str>,
+    /// Their parameters.
+    pub assumptions: Assumptions,
     /// What came of each scenario, in their order.
     pub scenarios: Vec<Audited>,
     /// The closed loop, in the same order.
@@ -143,6 +149,7 @@ pub fn compared(comparison: &Comparison, progress: &dyn Progress) -> Compared {
     let closed_loop = ClosedLoop::new(comparison, &scenarios, progress);
     Compared {
         models: panel.names(),
+        assumptions: panel.assumptions(),
         scenarios,
         closed_loop,
     }

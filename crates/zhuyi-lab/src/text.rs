@@ -40,6 +40,19 @@ pub(crate) fn decimals(number: Option<f64>, digits: usize) -> String {
     number.map_or(String::new(), |number| format!("{number:.digits$}"))
 }
 
+/// A number as short as it can be with two decimals: `6`, `7.59`.
+pub(crate) fn at_most_two_decimals(number: f64) -> String {
+    ((number * 100.0).round() / 100.0).to_string()
+}
+
+/// How many of what: `1 seed`, `2 seeds`. `one` takes an s where there are not one.
+pub(crate) fn counted(count: impl Into<u64>, one: &str) -> String {
+    match count.into() {
+        1 => format!("1 {one}"),
+        count => format!("{count} {one}s"),
+    }
+}
+
 /// Rates in ascending order, neighbours drawn together: `1 to 10, 15, 30`.
 pub(crate) fn spans(rates: &[u32]) -> String {
     let spans = rates.chunk_by(|a, b| a + 1 == *b).map(|span| match span {
@@ -78,5 +91,17 @@ mod tests {
     fn hand_neighbouring_rates_are_drawn_together() {
         assert_eq!(spans(&[1, 2, 3, 15, 30]), "1 to 3, 15, 30");
         assert_eq!(spans(&[]), "");
+    }
+
+    #[test]
+    fn hand_one_is_singular_and_whole_numbers_have_no_point() {
+        assert_eq!(
+            [0_u64, 1, 2].map(|n| counted(n, "seed")),
+            ["0 seeds", "1 seed", "2 seeds"]
+        );
+        assert_eq!(
+            [6.0, 7.592_94, 50.0 / 3.6 * 3.6].map(at_most_two_decimals),
+            ["6", "7.59", "50"]
+        );
     }
 }

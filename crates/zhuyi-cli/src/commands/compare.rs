@@ -26,14 +26,14 @@ const STEP: u64 = 10;
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
-  zhuyi compare cut-in cut-out-fast
+  zhuyi compare cut-in cut-out-fast      two scenarios, printed alone: no file is written
   zhuyi compare --out results            all nine, into results/compare.md and two .csv files
   zhuyi compare --out results --check    does it make what results/ holds?
   zhuyi compare my-scenario.ron --system my-car.ron --seeds 3
 
 Each model is asked at each step of the same drives; beside what it asks for stands what was needed: at that step, to touch nobody \
 by holding on and then braking, and in the scenario, its MRF. Then the drives are made again at the rates that each model asked \
-for. The same command gives the same bytes.")]
+for. Without --out nothing is written: what came out is printed, in short. The same command gives the same bytes.")]
 pub struct Arguments {
     /// Scenarios' names (see zhuyi list) or paths of .ron files [default: all that come with the program]
     #[arg(value_name = "SCENARIO")]
@@ -70,7 +70,8 @@ pub struct Arguments {
         allow_hyphen_values = true
     )]
     root_seed: String,
-    /// Folder for compare.md, compare.csv and compare_demand.csv; made if it is missing, and the files in it replaced
+    /// Folder for compare.md, compare.csv and compare_demand.csv; made if it is missing, and the files in it replaced;
+    /// without it nothing is written
     #[arg(short, long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Write nothing: compare with the files in the folder, byte for byte, and exit with 1 where one differs

@@ -123,7 +123,7 @@ fn law_a_comparison_is_reproduced_and_a_changed_file_is_told() {
     let line = "compare cut-out-fast front-right-activity-1 --seeds 1 --every-ms 100 --set planner.min_gap_m=2.5";
     let printed = bench.out(line);
     assert!(
-        printed.starts_with("30 FPR, 1 seeds, root seed 0, models asked every 100 ms\n"),
+        printed.starts_with("30 FPR, 1 seed, root seed 0, models asked every 100 ms\n"),
         "{printed}"
     );
     assert_eq!(bench.names("."), [""; 0], "nothing is written");

@@ -248,7 +248,7 @@ impl Tally {
         }
     }
 
-    /// [-] share of the steps in need at which it would have been short even had the ego braked by 6 m/s2 (see
+    /// [-] share of the steps in need at which it would have been short even had the ego braked harder (see
     /// [`causes`](super::causes)); none where there was no need. Harder brakes never make a step short that was not.
     pub fn share_short_with_harder_brakes(&self) -> Option<f64> {
         let (still, in_need) = (

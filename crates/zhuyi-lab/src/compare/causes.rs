@@ -4,7 +4,7 @@
 //!
 //! | cause | what the model asked for would have been enough, had |
 //! |---|---|
-//! | brakes | the ego braked by the 6 m/s2 that the rivals count on, not by a_b |
+//! | brakes | the ego braked as hard as most rivals count on ([`Panel::braking_harder`]), not by a_b |
 //! | future | the actors gone on from t_0 with the velocity they had |
 //! | both | both been so |
 //! | other | not even then: lane rules, thresholds, the ego's own acceleration, the instant at which a model stops looking |

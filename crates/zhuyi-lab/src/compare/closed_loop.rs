@@ -109,12 +109,21 @@ fn at_the_largest(comparison: &Comparison, collisions: &[(u32, u32)], asked: f64
 }
 
 impl ClosedLoop {
-    /// Whether a demand is below the MRF of a scenario.
+    /// Whether a demand, rounded up as it is run again, is below the MRF of a scenario.
     pub fn is_below(&self, scenario: usize, asked: f64) -> bool {
         match self.required[scenario].mrf {
-            Mrf::Rate(rate) => asked < f64::from(rate),
+            Mrf::Rate(rate) => round_up(asked) < f64::from(rate),
             Mrf::Above(_) => true,
             Mrf::AtMost(_) => false,
+        }
+    }
+
+    /// [FPR] by how much a demand, rounded up as it is run again, is above the MRF of a scenario; none where the MRF is 1, which
+    /// no demand can miss, or is not known.
+    pub fn above(&self, scenario: usize, asked: f64) -> Option<f64> {
+        match self.required[scenario].mrf {
+            Mrf::Rate(rate) if rate > 1 => Some(round_up(asked) - f64::from(rate)),
+            _ => None,
         }
     }
 }

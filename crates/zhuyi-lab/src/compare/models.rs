@@ -48,6 +48,17 @@ pub struct Panel {
     pub braking_harder: Estimator,
 }
 
+/// What the files tell of the models' parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Assumptions {
+    /// Those of the rivals.
+    pub rivals: Rivals,
+    /// [m/s2] the harder brakes of the ego, of [`Panel::braking_harder`].
+    pub harder_decel: f64,
+    /// [s] how far the procedure looks ahead.
+    pub horizon: f64,
+}
+
 /// Place of the model whose answer is what was needed, both in the columns and among the estimators.
 pub const NEEDED: usize = 1;
 
@@ -87,6 +98,16 @@ impl Panel {
     /// The procedure itself: what it answers is what is needed.
     pub fn procedure(&self) -> &Estimator {
         &self.zhuyi[NEEDED]
+    }
+
+    /// What the files tell of their parameters.
+    pub fn assumptions(&self) -> Assumptions {
+        let harder = self.braking_harder.params();
+        Assumptions {
+            rivals: self.rivals,
+            harder_decel: harder.c3,
+            horizon: harder.horizon,
+        }
     }
 
     /// Their names, in the order of the columns.

@@ -5,11 +5,12 @@ use std::fmt::Write as _;
 use super::audit::Audited;
 use super::files::Total;
 use super::findings;
+use super::in_short::in_short;
 use super::models::NEEDED;
 use super::scenes::{self, Answered};
 use super::{Compared, Comparison};
 use crate::reruns::Rerun;
-use crate::text::{cells, decimals, markdown_table};
+use crate::text::{at_most_two_decimals, cells, counted, decimals, markdown_table};
 
 /// `compare.md`.
 pub(super) fn markdown(comparison: &Comparison, compared: &Compared) -> String {
@@ -22,10 +23,10 @@ pub(super) fn markdown(comparison: &Comparison, compared: &Compared) -> String {
              Short at these shares [%] of the steps in need, by scenario:\n\n{}\n\
              Why it was short [% of those steps]:\n\n{}\n{}",
             audit(compared, &total),
-            about_the_audit(comparison, &total),
+            about_the_audit(comparison, compared, &total),
             by_scenario(comparison, compared),
             causes(compared, &total),
-            ABOUT_CAUSES
+            about_causes(compared)
         ),
         format!(
             "## Asked for against required, in closed loop\n\n{}\n{}",
@@ -55,15 +56,15 @@ pub(super) fn summary(comparison: &Comparison, compared: &Compared) -> String {
         spelt(comparison),
         audit(compared, &total),
         closed_loop(comparison, compared),
-        findings::in_short(comparison, compared, &total)
+        in_short(comparison, compared, &total)
     )
 }
 
 fn spelt(comparison: &Comparison) -> String {
     format!(
-        "{} FPR, {} seeds, root seed {}, models asked every {} ms",
+        "{} FPR, {}, root seed {}, models asked every {} ms",
         comparison.fpr,
-        comparison.seeds,
+        counted(comparison.seeds, "seed"),
         comparison.root_seed,
         comparison.every_ms()
     )
@@ -73,11 +74,17 @@ pub(super) fn percent(share: Option<f64>) -> String {
     decimals(share.map(|share| 100.0 * share), 1)
 }
 
+/// [m/s2] the brakes that most rivals count on, spelt.
+fn harder_decel(compared: &Compared) -> String {
+    at_most_two_decimals(compared.assumptions.harder_decel)
+}
+
 fn audit(compared: &Compared, total: &Total) -> String {
+    let harder = format!("at {} m/s2 [%]", harder_decel(compared));
     let header = cells(&[
         "model",
         "short [%]",
-        "at 6 m/s2 [%]",
+        &harder,
         "by, mean [FPR]",
         "at most [FPR]",
         "latency over [s]",
@@ -110,15 +117,17 @@ fn audit(compared: &Compared, total: &Total) -> String {
     markdown_table(&header, &lines)
 }
 
-fn about_the_audit(comparison: &Comparison, total: &Total) -> String {
+fn about_the_audit(comparison: &Comparison, compared: &Compared, total: &Total) -> String {
     let joint = total.models.first().map(|tally| &tally.joint);
     let (steps, in_need) = joint.map_or((0, 0), |joint| (joint.steps(), joint.in_need()));
+    let horizon = at_most_two_decimals(compared.assumptions.horizon);
+    let harder = harder_decel(compared);
     let apart = &total.apart;
     let apart = if apart.total() == 0 {
         "None counts apart".to_string()
     } else {
         format!(
-            "Apart count {} at which braking at once comes too late, {} that need more than 30 FPR and {} with an actor alongside",
+            "Apart count those at which braking at once comes too late ({}), that need more than 30 FPR ({}) and with an actor alongside ({})",
             apart.unavoidable, apart.beyond_grid, apart.alongside
         )
     };
@@ -128,11 +137,11 @@ fn about_the_audit(comparison: &Comparison, total: &Total) -> String {
         " Peaks are sharp: what lies between two questions is missed, so largest demands can be too small here.".to_string()
     };
     format!(
-        "All scenarios and runs together. A step is a camera's: {steps} are judged, of the analysed cameras, and {in_need} of them are in \
-         need, of more than the least rate. {apart}. Needed is the answer of `zhuyi-standstill`: the largest latency with which an \
-         ego that holds a_0 for t_r and then brakes at a_b touches nobody in 20 s of the recorded future. It has no margins, so to be \
+        "All scenarios and runs together. A step is a camera's. Judged, of the analysed cameras: {steps}; in need of more than the \
+         least rate, of these: {in_need}. {apart}. Needed is the answer of `zhuyi-standstill`: the largest latency with which an \
+         ego that holds a_0 for t_r and then brakes at a_b touches nobody in {horizon} s of the recorded future. It has no margins, so to be \
          short is to touch, should this step's answer be the last. Short: less than needed was asked for, as a share of the steps in \
-         need; what is left of that had the ego braked by 6 m/s2, as most rivals count on, where a_b is less; by how much, and by \
+         need; what is left of that had the ego braked by {harder} m/s2, as most rivals count on, where a_b is less; by how much, and by \
          how much the latency was too long at most. More: by how much more was asked for at steps in need where it was enough. The last two columns: all steps judged.\n\nTo be short is no collision yet: a model that looks at the actor \
          as it is now may ask for more as soon as that begins to move, and this ego brakes before it must. Whether that comes in \
          time is what the closed loop tells.{peaks}\n"
@@ -182,11 +191,14 @@ fn causes(compared: &Compared, total: &Total) -> String {
     markdown_table(&header, &short.map(line).collect::<Vec<_>>())
 }
 
-const ABOUT_CAUSES: &str = "\
-What was asked for would have been enough, brakes: had the ego braked by 6 m/s2, as most rivals count on, not by a_b; future: had \
-the actors gone on from this step with the velocity they had; both: had both been so; other: not even then. The first that holds \
-counts.
-";
+fn about_causes(compared: &Compared) -> String {
+    format!(
+        "What was asked for would have been enough, brakes: had the ego braked by {} m/s2, as most rivals count on, not by a_b; \
+         future: had the actors gone on from this step with the velocity they had; both: had both been so; other: not even then. The \
+         first that holds counts.\n",
+        harder_decel(compared)
+    )
+}
 
 fn closed_loop(comparison: &Comparison, compared: &Compared) -> String {
     let header = with_models(&["scenario", "MRF"], compared);
@@ -219,11 +231,12 @@ fn closed_loop(comparison: &Comparison, compared: &Compared) -> String {
 
 fn about_the_closed_loop(comparison: &Comparison) -> String {
     format!(
-        "The largest demand [FPR] of each model, any analysed camera and step of any run at {} FPR; bold where it is below the MRF, the \
-         smallest rate from 1 to 30 FPR at which, and at every higher one, no seed collides; N/A where a run collided. In brackets, \
-         where there are any, collisions in {} seeds when the scenario is run again, with all cameras at that demand rounded up and \
-         with each camera at its own. At an MRF of 1 no model can fail.\n",
-        comparison.fpr, comparison.seeds
+        "The largest demand [FPR] of each model, any analysed camera and step of any run at {} FPR; bold where, rounded up to a whole rate as \
+         it is run again, it is below the MRF, the smallest rate from 1 to 30 FPR at which, and at every higher one, no seed collides; \
+         N/A where a run collided. In brackets, where there are any, collisions in {} when the scenario is run again, with all cameras \
+         at that demand and with each camera at its own, both rounded up. At an MRF of 1 no model can fail.\n",
+        comparison.fpr,
+        counted(comparison.seeds, "seed")
     )
 }
 
