@@ -143,26 +143,25 @@ pub fn demand_first(demands: &[f64], budget: f64) -> Vec<f64> {
 pub fn raise(rates: &[f64], demands: &[f64], budget: f64) -> Vec<f64> {
     assert_eq!(rates.len(), demands.len(), "one demand per camera");
     let floor = floor(budget, rates.len());
-    let mut rates = cut(rates, budget);
-    // Above zero: over the demand; below: short of it.
-    let over: Vec<f64> = rates
-        .iter()
-        .zip(demands)
-        .map(|(rate, demand)| rate - demand.clamp(floor, CAP))
-        .collect();
-    let surplus: f64 = over.iter().map(|o| o.max(0.0)).sum();
-    let shortage: f64 = over.iter().map(|o| (-o).max(0.0)).sum();
+    let wanted: Vec<f64> = demands.iter().map(|d| d.clamp(floor, CAP)).collect();
+    let rates = cut(rates, budget);
+    let pairs = || rates.iter().zip(&wanted);
+    let surplus: f64 = pairs().map(|(rate, want)| (rate - want).max(0.0)).sum();
+    let shortage: f64 = pairs().map(|(rate, want)| (want - rate).max(0.0)).sum();
     let free = (budget - rates.iter().sum::<f64>()).max(0.0);
     let taken = (shortage - free).clamp(0.0, surplus);
     let given = (free + taken).min(shortage);
-    for (rate, over) in rates.iter_mut().zip(&over) {
-        if *over > 0.0 {
-            *rate -= taken * (over / surplus);
-        } else if *over < 0.0 {
-            *rate += given * (-over / shortage);
+    // Held at the demand, which rounding would else overstep.
+    let raised = pairs().map(|(&rate, &want)| {
+        if rate > want {
+            (rate - taken * ((rate - want) / surplus)).max(want)
+        } else if rate < want {
+            (rate + given * ((want - rate) / shortage)).min(want)
+        } else {
+            rate
         }
-    }
-    rates
+    });
+    raised.collect()
 }
 
 /// A camera's rate as a function of the one unknown x: `offset + slope x`, held in [low, high].

@@ -87,11 +87,14 @@ impl Policy for Hysteresis {
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
         situation.check(rates)?;
         let demands = situation.demands(|d| d.zhuyi);
-        let unknown = demands.iter().skip(self.held.len());
-        self.held.extend(unknown.map(|&demand| Held {
-            demand,
-            waiting: None,
-        }));
+        if self.held.len() != demands.len() {
+            // The first decision, or another rig: nothing to remember.
+            let fresh = demands.iter().map(|&demand| Held {
+                demand,
+                waiting: None,
+            });
+            self.held = fresh.collect();
+        }
         for (held, demand) in self.held.iter_mut().zip(demands) {
             held.follow(demand, situation.time, self.band, self.hold);
         }
