@@ -4,6 +4,7 @@ mod actor;
 mod estimator;
 mod layout;
 mod manoeuvre;
+mod online;
 mod planner;
 mod rig;
 mod road;

@@ -151,9 +151,10 @@ fn hand_a_chip_without_speed_or_work_is_refused() {
         ..Chip::default()
     };
     assert!(
-        Accelerator::new(slow).unwrap_err().to_string().starts_with(
-            "the time per frame of the accelerator must be at most 3600 s, got 5196"
-        )
+        Accelerator::new(slow)
+            .unwrap_err()
+            .to_string()
+            .starts_with("the time per frame of the accelerator must be at most 3600 s, got 5196")
     );
 }
 
