@@ -1,13 +1,12 @@
-//! Wall time of the numbers that matter: a whole run, its offline estimate, one call of the estimator.
+//! Wall time of the numbers that matter: a whole run, and its offline estimate. One call of the estimator is timed and
+//! counted by the benches `estimator` and `instructions`.
 //!
 //! `cargo bench --bench drive`. Machines are noisy: quote medians and ratios. Instruction counts repeat to the last digit:
 //! `valgrind --tool=callgrind target/release/zhuyi run cut-in`.
 
-use std::hint::black_box;
-
 use divan::Bencher;
-use zhuyi_core::{Across, Along, Footprint, FrameRates};
-use zhuyi_estimator::{Ego, Estimator, Future, Params};
+use zhuyi_core::FrameRates;
+use zhuyi_estimator::Estimator;
 use zhuyi_scenario::{Scenario, Source, System, embedded, load};
 use zhuyi_sim::{Draws, Hindsight, Simulation};
 
@@ -58,40 +57,4 @@ fn offline_estimate(bencher: Bencher<'_, '_>, name: &str) {
     .run();
     let estimator = Estimator::new(system.estimator.clone());
     bencher.bench_local(|| Hindsight::new(&run.trace, &system, &rates).peaks(&estimator));
-}
-
-/// One actor on one piece of constant acceleration: a car that brakes at 3 m/s2, 40 m ahead.
-#[divan::bench]
-fn one_actor(bencher: Bencher<'_, '_>) {
-    let estimator = Estimator::new(Params::default());
-    let footprint = Footprint {
-        length: 4.6,
-        width: 1.85,
-    };
-    let ego = Ego {
-        s: 0.0,
-        d: 0.0,
-        speed: 25.0,
-        accel: 0.0,
-        footprint,
-    };
-    let stop = 20.0 / 3.0;
-    let along = [
-        Along::constant_accel(0.0, 44.6, 20.0, -3.0),
-        Along::constant_accel(stop, 44.6 + 10.0 * stop, 0.0, 0.0),
-    ];
-    let across = [Across {
-        time: 0.0,
-        d: 0.0,
-        d_rate: 0.0,
-    }];
-    let future = Future {
-        along: &along,
-        across: &across,
-        known_until: 20.0,
-        now: 0.0,
-    };
-    bencher.bench_local(|| {
-        estimator.trajectory(black_box(&ego), footprint, black_box(&future), 1.0 / 30.0)
-    });
 }

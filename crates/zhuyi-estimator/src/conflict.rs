@@ -75,6 +75,26 @@ impl<'a> Corridor<'a> {
         }
     }
 
+    /// The one relation of an actor that keeps its offset for ever.
+    fn only_side(&self) -> Option<Side> {
+        match self.view.future.across {
+            [piece] if piece.d_rate == 0.0 && self.horizon > 0.0 => {
+                Some(self.side_at(piece.d - self.ego.1))
+            }
+            _ => None,
+        }
+    }
+
+    /// The relation of bodies at this offset from each other.
+    fn side_at(&self, offset: f64) -> Side {
+        let distance = offset.abs();
+        match (distance < self.lane, distance < self.body) {
+            (true, true) => Side::Overlap,
+            (true, false) => Side::Close,
+            (false, _) => Side::Apart,
+        }
+    }
+
     /// Until when, and up to which piece, the bodies overlap sideways on all pieces from `index` on, which starts at
     /// `end`.
     fn overlapping_from(&self, mut index: usize, mut end: f64) -> (f64, usize) {
@@ -174,12 +194,7 @@ impl Walk {
             return (Side::Overlap, end, following);
         }
         if piece.d_rate == 0.0 || here == there {
-            let side = if here.abs() < lane {
-                Side::Close
-            } else {
-                Side::Apart
-            };
-            return (side, end, following);
+            return (corridor.side_at(here), end, following);
         }
         // Seen in the direction of its motion, the actor crosses these four lines one after the other.
         let lines = [
@@ -214,6 +229,7 @@ impl Walk {
         None
     }
 
+    #[inline]
     fn judge(&mut self, corridor: &Corridor<'_>, start: f64, end: f64, side: Side) -> Span {
         let mut abreast = false;
         if side == Side::Apart {
@@ -253,8 +269,8 @@ impl Walk {
     }
 }
 
-/// Most futures have no more spans than this.
-const KEPT: usize = 5;
+/// A lead has one span, a cut-in three: most futures have no more.
+const KEPT: usize = 3;
 
 /// The spans of [0, horizon], from the first to the last: the first few as found, the rest derived again on each
 /// pass.
@@ -269,10 +285,12 @@ impl Spans {
     /// `None` where there is no conflict time.
     pub fn new(corridor: &Corridor<'_>) -> Option<Self> {
         let mut walk = Walk::new(corridor);
+        if let Some(side) = corridor.only_side() {
+            return Self::of_one(walk.judge(corridor, 0.0, corridor.horizon, side));
+        }
         let span = walk.next(corridor)?;
-        // What comes before the first conflict is one span, so a future without conflict has no second one.
-        if span.zone == Zone::Before && walk.pending.is_none() {
-            return None;
+        if walk.pending.is_none() {
+            return Self::of_one(span);
         }
         let mut spans = Self {
             first: [span; KEPT],
@@ -288,6 +306,15 @@ impl Spans {
             }
         }
         Some(spans)
+    }
+
+    /// What comes before the first conflict is one span, so a future without conflict has no second one.
+    fn of_one(span: Span) -> Option<Self> {
+        (span.zone != Zone::Before).then_some(Self {
+            first: [span; KEPT],
+            len: 1,
+            rest: None,
+        })
     }
 
     pub fn iter<'a>(&'a self, corridor: &'a Corridor<'_>) -> impl Iterator<Item = Span> + 'a {

@@ -9,7 +9,7 @@
 //! | before the first conflict | Eq. 1 and 2 hold | no |
 //! | conflict, not yet overlapping sideways | Eq. 1 and 2 hold | no |
 //! | conflict, overlapping sideways | Eq. 1 and 2 hold | yes |
-//! | after, outside the corridor | there is no contact in the whole of [0, horizon] | no |
+//! | after, outside the corridor or in a stay that is dropped | there is no contact in the whole of [0, horizon] | no |
 //!
 //! Law: with `a_b >= -a_0` (always so for C4 >= 1) an ego that reacts earlier is at no time further or faster. So of
 //! candidates in order of falling reaction time, at any moment of the walk
@@ -93,7 +93,7 @@ pub(crate) fn first_tolerable<F: Fn(usize) -> Candidate>(
         };
     }
     search.outside(outside_until).unwrap_or_else(|| Found {
-        t_n: search.first_time(),
+        t_n: search.first_time(outside_until),
         ..inside
     })
 }
@@ -226,7 +226,11 @@ impl<F: Fn(usize) -> Candidate> Search<'_, '_, F> {
         (self.best, self.t_n) = (self.best - 1, Some(time));
         while low < self.best {
             let next = self.best - 1 - (stride - 1).min((self.best - low) / 2);
-            let candidate = (self.candidate)(next);
+            let candidate = if next == self.alive {
+                self.back
+            } else {
+                (self.candidate)(next)
+            };
             self.evaluations += 1;
             match self.encounter.verdict(self.ask, &candidate, cell, bounds) {
                 Verdict::Met(time) => {
@@ -273,9 +277,12 @@ impl<F: Fn(usize) -> Candidate> Search<'_, '_, F> {
         })
     }
 
-    /// The t_n of candidate `best`, if there is one.
-    fn first_time(&self) -> Option<f64> {
+    /// The t_n of candidate `best`, if there is one; `outside_until` as above.
+    fn first_time(&self, outside_until: Option<f64>) -> Option<f64> {
         let met = self.t_n?;
+        if outside_until.is_none() {
+            return Some(met);
+        }
         let candidate = (self.candidate)(self.best);
         // A time outside the corridor before that counts if no contact comes later either.
         let earlier = self

@@ -143,14 +143,15 @@ impl Encounter<'_> {
                     piece: &future.along[index],
                 };
                 let bounds = self.bounds(&cell);
-                if !leash.rules_out(&cell, &bounds) {
-                    if let Some(found) = visitor.visit(&cell, &bounds) {
-                        return Some(found);
-                    }
-                    leash = visitor.leash(cell.end);
+                let may_matter = !leash.rules_out(&cell, &bounds);
+                if may_matter && let Some(found) = visitor.visit(&cell, &bounds) {
+                    return Some(found);
                 }
                 if end >= to {
                     return None;
+                }
+                if may_matter {
+                    leash = visitor.leash(end);
                 }
                 time = end;
             }

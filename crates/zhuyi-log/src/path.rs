@@ -8,10 +8,10 @@
 //!   heading at t_0                              ╲ - - - -  straight on, heading of the last row
 //! ```
 //!
-//! The path begins where the ego is at t_0, runs through its later positions and goes straight on behind the last one.
-//! The foot of a point is the nearest point of that; of two equally near ones the first. A point whose foot is the
-//! beginning and that lies behind it is measured straight back along the heading at t_0, where the recorded past does
-//! not count. Choices:
+//! The path comes straight along the heading at t_0 to where the ego is then, runs through its later positions and goes
+//! straight on behind the last one; the recorded past does not count. The foot of a point is the nearest point of that,
+//! of two equally near ones the first. So who follows an ego that will drive a loop is behind it, however near the loop
+//! comes by. Choices:
 //!
 //! - **Corners.** On the outer side of a corner the nearest point is the corner itself: d is the distance to it, and
 //!   the direction of the path there is taken square to the line to the point, which is the limit of rounding the
@@ -148,7 +148,7 @@ impl Ahead<'_> {
     }
 
     /// [m] from here on it is the path of every earlier t_0 too.
-    pub fn shared_from(&self) -> f64 {
+    fn shared_from(&self) -> f64 {
         self.path.vertices[self.next].s
     }
 
@@ -160,15 +160,27 @@ impl Ahead<'_> {
             self.s,
             point,
         );
-        if first.foot.s <= self.s && self.start.local(point).0 < 0.0 {
-            // Unless something further on is nearer.
-            let back = Nearest {
-                foot: straight(self.start, self.s, point),
-                ..first
-            };
-            return self.nearer(point, back, hint);
+        match self.behind(point) {
+            Some(back) if back.distance <= first.distance => self.nearer(point, back, hint),
+            _ => self.nearer(point, first, hint),
         }
-        self.nearer(point, first, hint)
+    }
+
+    /// The foot of a point that lies behind the ego at t_0 on the line that comes to it.
+    fn behind(&self, point: Point) -> Option<Nearest> {
+        let foot = straight(self.start, self.s, point);
+        (foot.s < self.s).then_some(Nearest {
+            foot,
+            distance: foot.d.abs(),
+        })
+    }
+
+    /// Whether the foot of a point on the path from an earlier t_0 on is its foot on this one, too.
+    pub fn shares(&self, foot: &Foot, point: Point) -> bool {
+        foot.s > self.shared_from()
+            && self
+                .behind(point)
+                .is_none_or(|back| back.distance > foot.d.abs())
     }
 
     /// The nearest point of all legs behind the first one, or else `first`.

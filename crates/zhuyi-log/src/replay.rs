@@ -200,7 +200,10 @@ impl<'a> Replay<'a> {
             let foot = track.map(|track| track.feet[row])?;
             match frame {
                 Frame::Road(_) => Some(foot),
-                Frame::Path(ahead) => (foot.s > ahead.shared_from()).then_some(foot),
+                Frame::Path(ahead) => {
+                    let point = vehicle.rows[row].pose.point();
+                    ahead.shares(&foot, point).then_some(foot)
+                }
                 Frame::Straight(_) => None,
             }
         };

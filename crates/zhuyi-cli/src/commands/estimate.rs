@@ -45,7 +45,7 @@ vehicles may appear and vanish. Steps without the ego are skipped.
 Writes DIR/actors.csv (time_s, actor, state, latency_s, t_n_s, binding, extrapolated_s, cameras), one row per time and \
 vehicle that is there, in view of a camera or not, DIR/cameras.csv (time_s, camera, latency_s, fpr_hz, actor), and \
 DIR/criticality.csv (time_s, actor, ttc_s, ttc_2d_s, thw_s, drac_mps2, pet_s, ttb_s, btn, impact_mps); with --all-egos \
-DIR/egos.csv alone. Occlusion is ignored. Past its last row a vehicle keeps its speed and offset. The same command \
+DIR/egos.csv alone. What there is not is an empty field: t_n_s with the criterion standstill, an actor that nobody asks for. Occlusion is ignored. Past its last row a vehicle keeps its speed and offset. The same command \
 gives the same bytes.")]
 pub struct Arguments {
     /// The trace, a CSV file as zhuyi run --trace writes it

@@ -61,6 +61,38 @@ fn hand_the_past_does_not_count() {
     );
 }
 
+/// Round a square of 20 m and back past the start: a follower 10 m behind at t_0 and 2 m aside is nearer to the line on
+/// which the ego came than to the last leg, which will pass 5 m aside of it.
+#[test]
+fn hand_who_follows_before_a_loop_is_behind() {
+    let mut poses = Vec::new();
+    let legs = [
+        (0.0, 0.0, 0.0),
+        (20.0, 0.0, 1.0),
+        (20.0, 20.0, 2.0),
+        (-20.0, 20.0, 3.0),
+    ];
+    for (x, y, quarters) in legs {
+        let start = Pose::new(x, y, quarters * FRAC_PI_2);
+        let length = if quarters == 2.0 { 40 } else { 20 };
+        poses.extend((0..length).map(|step| {
+            let point = start.offset(f64::from(step), 0.0);
+            Pose::new(point.x, point.y, start.heading)
+        }));
+    }
+    poses.extend((0..30).map(|step| Pose::new(-20.0 + f64::from(step), -3.0, 0.0)));
+    let path = path(&poses);
+    let ahead = from(&path, &poses, 0);
+    close(seen(&ahead, -10.0, 2.0), (-10.0, 2.0, 0.0));
+    // On the other side of that line the last leg is nearer, and counts.
+    assert!(seen(&ahead, -10.0, -2.5).0 > 90.0);
+    // What holds from the first row on does not hold here.
+    let later = from(&path, &poses, 5);
+    let foot = ahead.foot(Point::new(-10.0, -2.5), None);
+    assert!(later.shares(&foot, Point::new(-10.0, -2.5)));
+    assert!(!later.shares(&foot, Point::new(-10.0, 0.1)));
+}
+
 #[test]
 fn hand_corners() {
     let corner = [(0.0, 0.0, 0.0), (10.0, 0.0, 0.0), (10.0, 10.0, FRAC_PI_2)];

@@ -104,6 +104,11 @@ impl Line {
     fn project(&self, point: Point) -> (f64, f64, f64) {
         let (points, arc) = (&self.points, &self.arc);
         let mut best = (f64::INFINITY, (0.0, 0.0, 0.0));
+        let back = Pose::new(points[0].x, points[0].y, self.first);
+        let (ahead, left) = back.local(point);
+        if ahead < 0.0 {
+            best = (left.abs(), (ahead, left, self.first));
+        }
         for place in 0..points.len() {
             let heading = self.headings[place];
             let leg = Pose::new(points[place].x, points[place].y, heading);
@@ -116,13 +121,9 @@ impl Line {
             if distance >= best.0 {
                 continue;
             }
-            let back = Pose::new(points[0].x, points[0].y, self.first);
             best = (
                 distance,
-                if place == 0 && ahead <= 0.0 && back.local(point).0 < 0.0 {
-                    let (ahead, left) = back.local(point);
-                    (ahead, left, self.first)
-                } else if on == ahead || distance < 1e-6 {
+                if on == ahead || distance < 1e-6 {
                     (arc[place] + on, left, heading)
                 } else {
                     let towards =
