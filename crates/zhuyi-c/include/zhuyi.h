@@ -194,6 +194,10 @@ typedef struct zhuyi_params {
      * Several trajectories into one, a zhuyi_aggregation.
      */
     uint32_t aggregation;
+    /**
+     * 1 if a latency is to count as tolerable only where all smaller ones are too, else 0.
+     */
+    uint32_t cautious;
 } zhuyi_params;
 
 /**

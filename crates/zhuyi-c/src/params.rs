@@ -77,6 +77,8 @@ pub struct Params {
     pub criterion: u32,
     /// Several trajectories into one, a zhuyi_aggregation.
     pub aggregation: u32,
+    /// 1 if a latency is to count as tolerable only where all smaller ones are too, else 0.
+    pub cautious: u32,
 }
 
 impl Params {
@@ -115,6 +117,7 @@ impl Params {
             solver: solver as u32,
             criterion: criterion as u32,
             aggregation: aggregation as u32,
+            cautious: u32::from(paper.cautious),
         }
     }
 
@@ -150,6 +153,13 @@ impl Params {
                 _ => return Err(Status::OutOfRange),
             },
             aggregation: self.aggregation()?,
+            cautious: match self.cautious {
+                0 => false,
+                1 => true,
+                _ => return Err(Status::OutOfRange),
+            },
+            // What goes beyond the paper is off.
+            ..zhuyi_estimator::Params::default()
         })
     }
 
@@ -203,6 +213,7 @@ mod tests {
         assert_eq!(changed(|p| p.percentile = 0.0), out);
         assert_eq!(changed(|p| p.confirm_frames = 0), out);
         assert_eq!(changed(|p| p.max_steps = u32::MAX), out);
+        assert_eq!(changed(|p| p.cautious = 2), out);
         assert_eq!(changed(|p| p.grid = 3), out);
         assert_eq!(changed(|p| p.solver = 2), out);
         assert_eq!(changed(|p| p.criterion = 2), out);

@@ -74,7 +74,7 @@ impl Estimator {
         // Futures that agree keep their answer, and so do those of which none tolerates anything.
         let held = |ranks: &[Ranked]| ranks.iter().filter(|ranked| ranked.first.is_some()).count();
         let mixed = held(&ranks) > 1 && held(&ranks[..=self.latencies().len()]) > 0;
-        if self.params().aggregation == Aggregation::Mean && mixed {
+        if self.params().aggregation == Aggregation::Mean && mixed && total > 0.0 {
             (estimate.state, estimate.latency) = (State::Tolerable, Some(latency_sum / total));
         }
         ForecastEstimate {

@@ -30,8 +30,11 @@ pub struct Demand {
     pub latency: f64,
     /// [Hz] the frame processing rate asked for.
     pub fpr: f64,
-    /// The actor that asks for it: the first of the most demanding; none where no actor asks for anything.
+    /// The actor that asks for it: the first of the most demanding; none where no actor asks for anything, or a phantom
+    /// for more.
     pub actor: Option<ActorId>,
+    /// Whether a [`phantom`](crate::phantom) asks for it.
+    pub phantom: bool,
     /// Actors that ask for more than the grid offers.
     pub beyond_grid: u32,
     /// Actors for which even braking at once is too late.
@@ -110,7 +113,7 @@ impl Estimator {
             for (watch, demand) in rig.iter().zip(&mut *demands) {
                 if counts(watch.camera, actor, body) {
                     let answer = answers.of(watch.current_latency, |l_0| estimate(actor, l_0));
-                    self.add(demand, actor, &answer);
+                    self.add(demand, Some(actor), &answer);
                 }
             }
         }
@@ -123,13 +126,20 @@ impl Estimator {
             latency,
             fpr: fpr(latency),
             actor: None,
+            phantom: false,
             beyond_grid: 0,
             unavoidable: 0,
             alongside: 0,
         }
     }
 
-    pub(crate) fn add(&self, demand: &mut Demand, actor: ActorId, estimate: &Estimate) {
+    /// What a phantom asks of a camera that looks there, on top of its `demand`.
+    pub fn add_phantom(&self, demand: &mut Demand, estimate: &Estimate) {
+        self.add(demand, None, estimate);
+    }
+
+    /// What an actor asks, or a phantom.
+    pub(crate) fn add(&self, demand: &mut Demand, actor: Option<ActorId>, estimate: &Estimate) {
         match estimate.state {
             State::None | State::Tolerable => {}
             State::BeyondGrid => demand.beyond_grid += 1,
@@ -140,10 +150,11 @@ impl Estimator {
             return;
         }
         let latency = estimate.latency.unwrap_or_else(|| self.smallest());
-        if demand.actor.is_none() || latency < demand.latency {
+        let first = demand.actor.is_none() && !demand.phantom;
+        if first || latency < demand.latency {
             demand.latency = latency;
             demand.fpr = fpr(latency);
-            demand.actor = Some(actor);
+            (demand.actor, demand.phantom) = (actor, actor.is_none());
         }
     }
 }
@@ -250,6 +261,23 @@ mod tests {
         );
         let demand = of_one_camera(&[quiet]);
         assert_eq!((demand.latency, demand.fpr, demand.actor), (1.0, 1.0, None));
+    }
+
+    #[test]
+    fn hand_a_phantom_counts_where_it_asks_for_more() {
+        let estimator = Estimator::new(Params::default());
+        let mut demand = of_one_camera(&[answer(State::Tolerable, Some(0.5))]);
+        estimator.add_phantom(&mut demand, &answer(State::Tolerable, Some(0.8)));
+        assert_eq!((demand.actor, demand.phantom), (Some(ActorId(0)), false));
+        estimator.add_phantom(&mut demand, &answer(State::Tolerable, Some(0.25)));
+        assert_eq!(
+            (demand.fpr, demand.actor, demand.phantom),
+            (4.0, None, true)
+        );
+        estimator.add_phantom(&mut demand, &answer(State::Tolerable, Some(0.5)));
+        assert_eq!((demand.fpr, demand.phantom), (4.0, true));
+        estimator.add_phantom(&mut demand, &answer(State::Unavoidable, None));
+        assert_eq!((demand.fpr, demand.unavoidable), (30.0, 1));
     }
 
     #[test]

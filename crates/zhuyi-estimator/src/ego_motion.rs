@@ -181,6 +181,36 @@ impl EgoMotion {
         }
     }
 
+    /// Hold the acceleration, and from `reaction_time` on no more than none.
+    pub(crate) fn coasting(start: Start, reaction_time: f64) -> Self {
+        let held = Self::held(start);
+        if start.accel <= 0.0 {
+            return held;
+        }
+        let [hold, ..] = held.phases;
+        let coast = Phase {
+            start: reaction_time,
+            distance: hold.distance_at(reaction_time),
+            speed: hold.speed_at(reaction_time),
+            accel: 0.0,
+        };
+        let never = Phase {
+            start: f64::INFINITY,
+            ..coast
+        };
+        Self {
+            phases: [hold, coast, never],
+        }
+    }
+
+    /// The same motion, all of it this much further.
+    pub(crate) fn with_head_start(mut self, head_start: f64) -> Self {
+        for phase in &mut self.phases {
+            phase.distance += head_start;
+        }
+        self
+    }
+
     /// Hold the acceleration for ever: no braking, but no reversing either.
     pub fn held(start: Start) -> Self {
         if start.accel < 0.0 {

@@ -62,10 +62,11 @@ impl<'a> Encounter<'a> {
     }
 
     /// A reaction time with the motion that follows from it.
-    pub fn candidate(&self, reaction_time: f64) -> Candidate {
+    pub fn candidate(&self, delay: Delay) -> Candidate {
+        let motion = EgoMotion::new(self.corridor.held, delay.reaction_time, self.decel);
         Candidate {
-            reaction_time,
-            motion: EgoMotion::new(self.corridor.held, reaction_time, self.decel),
+            reaction_time: delay.reaction_time,
+            motion: motion.with_head_start(delay.head_start),
         }
     }
 
@@ -154,6 +155,15 @@ impl<'a> Encounter<'a> {
             (!ask.contact || outline.is_clear()) && (!reacted || outline.is_unmet(self.margins))
         })
     }
+}
+
+/// What a latency costs: the more the larger it is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Delay {
+    /// [s] t_r.
+    pub reaction_time: f64,
+    /// [m] by which the ego counts as further than it is.
+    pub head_start: f64,
 }
 
 /// A reaction time, and the ego's motion at it.

@@ -1,11 +1,11 @@
 //! The face of the crate: an [`Estimator`] answers for one trajectory, one forecast, or the cameras of a rig.
 
 use crate::ego_motion::reaction_time;
-use crate::encounter::Encounter;
+use crate::encounter::{Delay, Encounter};
 use crate::grid::Latencies;
 use crate::judge::Judge;
 use crate::recording::{Recording, View};
-use crate::{Ego, Estimate, Future, Params, State};
+use crate::{Ego, Estimate, Future, Params, State, Uncertainty};
 use zhuyi_core::Footprint;
 
 /// The Zhuyi model with its parameters and its list of latencies. It holds no state: the same question has the same
@@ -21,6 +21,14 @@ impl Estimator {
     pub fn new(params: Params) -> Self {
         Self {
             latencies: Latencies::new(params.grid),
+            params,
+        }
+    }
+
+    /// The same on the same list of latencies, with other parameters.
+    pub(crate) fn with_params(&self, params: Params) -> Self {
+        Self {
+            latencies: self.latencies.clone(),
             params,
         }
     }
@@ -157,8 +165,6 @@ impl Estimator {
         current_latency: f64,
         last: Option<&Estimate>,
     ) -> (Estimate, u32) {
-        let reaction =
-            |latency: f64| reaction_time(latency, current_latency, self.params.confirm_frames);
         let quiet = Estimate {
             state: State::None,
             latency: Some(self.largest()),
@@ -175,17 +181,15 @@ impl Estimator {
         };
         // Behind the latencies of the grid stands the last candidate: to react at once.
         let latencies = self.latencies();
-        let reaction_time = |index: usize| {
-            latencies
-                .get(index)
-                .map_or(0.0, |latency| reaction(*latency))
-        };
+        let delay = |index: usize| self.delay(latencies.get(index).copied(), current_latency);
         let near_last = last.and_then(|last| self.place(last));
         let guess = near_last.unwrap_or_else(|| {
             let longest = encounter.guess();
-            latencies.partition_point(|latency| reaction(*latency) > longest)
+            let late =
+                |latency: &f64| self.delay(Some(*latency), current_latency).reaction_time > longest;
+            latencies.partition_point(late)
         });
-        let found = judge.first_tolerable(latencies.len() + 1, reaction_time, guess);
+        let found = judge.first_tolerable(latencies.len() + 1, delay, guess);
         // What is put down as the cause is what refused the candidate before; of an actor alongside, the smallest latency.
         let (state, refused) = match found.index.checked_sub(latencies.len()) {
             None => (State::Tolerable, found.index.checked_sub(1)),
@@ -202,10 +206,23 @@ impl Estimator {
             state,
             latency: latencies.get(found.index).copied(),
             t_n: found.t_n.filter(|_| state != State::Alongside),
-            binding: refused.and_then(|index| judge.refusal(reaction_time(index), unmet_until)),
+            binding: refused.and_then(|index| judge.refusal(delay(index), unmet_until)),
             ..quiet
         };
         (estimate, found.evaluations)
+    }
+
+    /// What a latency costs; none: to react at once.
+    pub(crate) fn delay(&self, latency: Option<f64>, current_latency: f64) -> Delay {
+        let frames = self.params.confirm_frames;
+        let head_start =
+            |uncertainty: Uncertainty| uncertainty.head_start(latency.unwrap_or_default());
+        Delay {
+            reaction_time: latency.map_or(0.0, |latency| {
+                reaction_time(latency, current_latency, frames)
+            }),
+            head_start: self.params.uncertainty.map_or(0.0, head_start),
+        }
     }
 
     /// Where an answer stands among the candidates; nowhere if there was no conflict, or if no rate helped.

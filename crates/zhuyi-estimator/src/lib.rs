@@ -17,6 +17,9 @@
 //! | one actor, several futures with probabilities | [`Estimator::forecast`] |
 //! | all actors and cameras of a moment | [`Estimator::moment`] |
 //! | all cameras, with any other source of answers | [`Estimator::demands`], [`Estimator::demands_into`] |
+//! | what an actor asks that is not known exactly | [`Estimator::uncertain`] |
+//! | the same where the ego may also evade | [`Estimator::evading`] |
+//! | an actor where nobody looks | [`phantom`] |
 //! | what RSS or another model of [`rivals`] asks for | [`Estimator::by_model`] |
 //! | how others would call the situation: TTC, PET, BTN .. | [`criticality::criticality`] |
 //!
@@ -34,7 +37,8 @@
 //!
 //! Source: "Zhuyi: Perception Processing Rate Estimation for Safety in Autonomous Vehicles" (DAC 2022). "Reading
 //! R1" and so on name the places where the paper leaves a choice, and the choice taken. Left out, as in the paper:
-//! steering as a way out, limits of the brakes, uncertainty of what is perceived, actors not yet seen.
+//! limits of the brakes. Three things that the paper leaves out are options, and off: uncertainty of what is perceived
+//! ([`uncertainty`]), actors not yet seen ([`phantom`]), steering as a way out ([`evasion`]).
 
 #[doc = include_str!("embedding.md")]
 pub mod embedding {}
@@ -45,6 +49,7 @@ pub mod criticality;
 pub mod demand;
 pub mod ego_motion;
 pub mod estimate;
+pub mod evasion;
 pub mod future;
 pub mod grid;
 #[doc = include_str!("laws.md")]
@@ -53,9 +58,11 @@ pub mod model;
 pub mod moment;
 pub mod paper;
 pub mod params;
+pub mod phantom;
 pub mod recording;
 pub mod rivals;
 pub mod samples;
+pub mod uncertainty;
 
 mod conflict;
 mod encounter;
@@ -71,9 +78,12 @@ pub use aggregation::ForecastEstimate;
 pub use demand::{Demand, Watch};
 pub use estimate::{Binding, Ego, Estimate, State};
 pub use estimator::Estimator;
+pub use evasion::{Evasion, EvasionEstimate, Procedure, Sides};
 pub use future::{ActorStart, Future};
 pub use grid::Latencies;
 pub use model::{Reaction, SafetyModel};
 pub use moment::{Answer, Moment, Seen};
 pub use params::{Aggregation, Criterion, Grid, Params, Solver};
+pub use phantom::{Phantom, PhantomParams, Surroundings};
 pub use recording::Recording;
+pub use uncertainty::Uncertainty;

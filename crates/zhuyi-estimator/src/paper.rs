@@ -15,7 +15,7 @@
 use crate::conflict::Zone;
 use crate::constraints::{TOLERANCE, distance_slack, speed_slack};
 use crate::ego_motion::EgoMotion;
-use crate::encounter::Encounter;
+use crate::encounter::{Delay, Encounter};
 
 /// [s] dt_d, the jump when the ego is `overrun` metres (|gap_d|) further than Eq. 1 allows.
 ///
@@ -40,15 +40,9 @@ pub fn speed_jump(excess: f64, decel: f64) -> f64 {
 }
 
 /// [s] the t_n at which both constraints are met after `max_steps` jumps or fewer; `None` if there is none.
-pub(crate) fn found_time(
-    encounter: &Encounter<'_>,
-    reaction_time: f64,
-    max_steps: u32,
-) -> Option<f64> {
-    let (candidate, horizon) = (
-        encounter.candidate(reaction_time),
-        encounter.corridor.horizon,
-    );
+pub(crate) fn found_time(encounter: &Encounter<'_>, delay: Delay, max_steps: u32) -> Option<f64> {
+    let (candidate, horizon) = (encounter.candidate(delay), encounter.corridor.horizon);
+    let reaction_time = delay.reaction_time;
     if encounter
         .first_contact(&candidate, 0.0, reaction_time.min(horizon))
         .is_some()

@@ -1,4 +1,7 @@
 //! The estimator's parameters, with the paper's values as [`Params::default`] (paper, "Zhuyi model parameters"; readings R1-R14).
+//! What goes beyond the paper is an option, and off.
+
+use crate::{Evasion, Uncertainty};
 
 /// How candidate latencies are spaced (reading R4).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -74,6 +77,10 @@ pub struct Params {
     /// difference where a larger latency may be tolerable while a smaller one is not: with the jumps of
     /// [`Solver::Paper`], and where C4 < 1 lets the procedure brake less than the ego does already.
     pub cautious: bool,
+    /// Beyond the paper: how uncertain actors are; none: what is perceived is taken as exact.
+    pub uncertainty: Option<Uncertainty>,
+    /// Beyond the paper: how the ego may evade, for [`Estimator::evading`](crate::Estimator::evading) alone; none: it brakes.
+    pub evasion: Option<Evasion>,
 }
 
 impl Default for Params {
@@ -92,6 +99,8 @@ impl Default for Params {
             criterion: Criterion::default(),
             aggregation: Aggregation::Percentile(0.99),
             cautious: false,
+            uncertainty: None,
+            evasion: None,
         }
     }
 }

@@ -78,6 +78,11 @@ impl Stretch {
         self.clearance().first_below(self.length)
     }
 
+    /// The first x at which Eq. 1 is met.
+    pub fn first_within(&self, c1: f64) -> Option<f64> {
+        self.distance_slack(c1).first_reached(self.length)
+    }
+
     /// The first x in [0, end] at which both constraints are met.
     pub fn first_met(&self, margins: Margins, end: f64) -> Option<f64> {
         let met = self.first_met_below(margins, margins.c2, end);

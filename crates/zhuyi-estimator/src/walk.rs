@@ -92,7 +92,7 @@ impl Leash {
     /// reacted.
     #[inline]
     fn rules_out(&self, cell: &Cell<'_, Along>, bounds: &Bounds) -> bool {
-        cell.end <= self.until
+        cell.end < self.until
             && self.contact.at(cell.end) <= bounds.nearest
             && (self.met.c1 + 2.0 * self.met.c2 * cell.end > bounds.fastest
                 || self.met.at(cell.start) > bounds.furthest)

@@ -4,6 +4,7 @@
 //!  Plan ──cells──▶ [sweep] ──Records──▶ [table] ──▶ table1.md, table1.csv
 //!                     │                    └──────▶ [claims] ──▶ claims.md
 //!                     └──▶ [reruns] at the rates asked for ──▶ [runs] ──▶ runs.csv        [manifest] ──▶ manifest.json
+//!  Plan ──▶ [beyond]: the estimator's options beyond the paper ──▶ beyond.md, lines for figures
 //!  Plan ──▶ [robustness]: one thing changed at a time, fresh seeds ──▶ robustness.md
 //!  Comparison ──▶ [compare]: all models on the same runs ──▶ compare.md, compare.csv, compare_demand.csv
 //! ```
@@ -14,6 +15,7 @@
 //! What it guarantees, each shown by a test: the same plan gives the same bytes at any number of threads; the order of the
 //! cells changes nothing; a run alone is the run of its sweep; no number of the paper's table is known outside [`paper`].
 
+pub mod beyond;
 #[doc = include_str!("calibration.md")]
 pub mod calibration {}
 pub mod claims;
@@ -36,6 +38,7 @@ pub mod sweep;
 pub mod table;
 mod text;
 
+pub use beyond::beyond;
 pub use compare::{Comparison, compare};
 pub use error::LabError;
 pub use progress::Progress;

@@ -14,7 +14,7 @@ use crate::error::{Attempt, LabError};
 /// The files of a command and what it says.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Results {
-    /// Names and texts.
+    /// Names and texts; a name may begin with a folder in that of the results.
     pub files: Vec<(&'static str, String)>,
     /// The claims that were examined; none where the command examines none.
     pub claims: Vec<Claim>,
@@ -140,7 +140,14 @@ struct Draft(PathBuf);
 
 impl Draft {
     fn write(dir: &Path, name: &str, text: &str) -> Result<Self, LabError> {
-        let draft = Self(dir.join(format!(".{name}.{}.draft", std::process::id())));
+        let path = dir.join(name);
+        let (parent, file) = (path.parent().unwrap_or(dir), path.file_name());
+        // A folder of its own, never that of the results: where that has vanished something is wrong.
+        if parent != dir && !parent.is_dir() {
+            fs::create_dir(parent).map_err(Attempt::CreateDirectory.on(parent))?;
+        }
+        let file = file.unwrap_or_default().to_string_lossy();
+        let draft = Self(parent.join(format!(".{file}.{}.draft", std::process::id())));
         let written = File::create(&draft.0).and_then(|mut file| {
             file.write_all(text.as_bytes())?;
             file.sync_all()

@@ -94,7 +94,7 @@ fn fresh(plan: &Plan, block: u64, progress: &dyn Progress) -> Line {
 }
 
 /// The MRF of each scenario by the full scan of rates.
-fn scan(
+pub(crate) fn scan(
     experiment: &Experiment<'_>,
     rates: &[u32],
     seeds: Range<u64>,

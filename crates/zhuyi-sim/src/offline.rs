@@ -1,9 +1,16 @@
 //! The offline estimate: what a run asked of every camera at every step, its future known (readings R14, R21).
 //!
 //! This is the paper's pre-deployment use: ground truth, one trajectory per actor, the one that was driven.
+//!
+//! Beyond the paper, each an option: [`Hindsight::with_phantoms`] adds an actor where nobody looks,
+//! [`Hindsight::with_evasion`] lets the ego evade, [`Hindsight::of_the_visible`] leaves out who is hidden (reading R14).
 
-use zhuyi_core::{ActorId, Body, Camera, CameraId, Footprint, FrameRates, SimTime};
-use zhuyi_estimator::{Demand, Ego, Estimate, Estimator, Future, Recording, Watch};
+use zhuyi_core::{ActorId, Body, Camera, CameraId, Footprint, FrameRates, Frenet, Road, SimTime};
+use zhuyi_estimator::phantom::visible_share;
+use zhuyi_estimator::{
+    Demand, Ego, Estimate, Estimator, Future, Phantom, PhantomParams, Recording, Surroundings,
+    Watch,
+};
 use zhuyi_perception::Eye;
 use zhuyi_scenario::System;
 
@@ -16,6 +23,9 @@ pub struct Hindsight<'a> {
     trace: &'a Trace,
     futures: Vec<Recording>,
     rig: Vec<Watch<'a>>,
+    phantoms: Option<(&'a Road, PhantomParams)>,
+    evades_on: Option<&'a Road>,
+    least_share: Option<f64>,
 }
 
 impl<'a> Hindsight<'a> {
@@ -30,7 +40,32 @@ impl<'a> Hindsight<'a> {
             trace,
             futures: futures(trace).into_iter().map(Recording::new).collect(),
             rig: rig.map(watch).collect(),
+            phantoms: None,
+            evades_on: None,
+            least_share: None,
         }
+    }
+
+    /// Beside the actors counts a phantom, at the nearest place of the ego's path that no camera sees. The ego brakes for
+    /// it, whether it may evade or not.
+    #[must_use]
+    pub fn with_phantoms(mut self, road: &'a Road, params: PhantomParams) -> Self {
+        self.phantoms = Some((road, params));
+        self
+    }
+
+    /// Where an estimator knows of evasion, the ego may evade to the sides that are free on this road.
+    #[must_use]
+    pub fn with_evasion(mut self, road: &'a Road) -> Self {
+        self.evades_on = Some(road);
+        self
+    }
+
+    /// An actor counts for a camera only if that sees at least this share [-] of it (reading R17).
+    #[must_use]
+    pub fn of_the_visible(mut self, least_share: f64) -> Self {
+        self.least_share = Some(least_share);
+        self
     }
 
     /// The estimate for one actor at one row.
@@ -56,6 +91,22 @@ impl<'a> Hindsight<'a> {
         let ego = ego_at(row);
         let (body, future) = (&row.actors[actor.index()], &self.futures[actor.index()]);
         let (footprint, now) = (body.footprint, row.time.seconds());
+        if let (Some(road), Some(evasion)) = (self.evades_on, estimator.params().evasion) {
+            let known = Future::new(future.trajectory(), now);
+            let others = row.actors.iter().enumerate();
+            let others = others.filter(|(place, _)| *place != actor.index());
+            let half_road = f64::from(road.lanes()) * road.lane_width() / 2.0;
+            let sides = evasion.free_sides(
+                estimator.params(),
+                &ego,
+                (footprint, &known),
+                others.map(|(_, body)| body),
+                (-half_road, half_road),
+            );
+            return estimator
+                .recorded_evading(&ego, footprint, (future, now), sides, current_latency)
+                .estimate;
+        }
         match last {
             Some(last) => {
                 estimator.recorded_after(&ego, footprint, future, now, current_latency, last)
@@ -89,12 +140,54 @@ impl<'a> Hindsight<'a> {
         row: &Row<'_>,
         estimate: impl FnMut(ActorId, f64) -> Estimate,
     ) -> Vec<Demand> {
-        let actors = row
-            .actors
-            .iter()
-            .enumerate()
-            .map(|(i, body)| (ActorId(i as u32), body));
-        estimator.demands(&self.rig, row.ego.pose, actors, estimate)
+        let mut demands = vec![estimator.quiet(); self.rig.len()];
+        self.demands_into(estimator, row, estimate, &mut demands);
+        demands
+    }
+
+    fn demands_into(
+        &self,
+        estimator: &Estimator,
+        row: &Row<'_>,
+        estimate: impl FnMut(ActorId, f64) -> Estimate,
+        demands: &mut [Demand],
+    ) {
+        let actors = (0..).map(ActorId).zip(row.actors);
+        let counts = |camera: &Camera, _: ActorId, body: &Body| self.counts(camera, row, body);
+        estimator.demands_into(&self.rig, actors, counts, estimate, demands);
+        let Some((phantom, footprint)) = self.phantom(row) else {
+            return;
+        };
+        let (ego, future) = (ego_at(row), phantom.future());
+        for (watch, demand) in self.rig.iter().zip(demands) {
+            if phantom.counts_for(watch.camera, row.ego.pose, footprint) {
+                let answer = estimator.trajectory(&ego, footprint, &future, watch.current_latency);
+                estimator.add_phantom(demand, &answer);
+            }
+        }
+    }
+
+    /// Whether an actor counts for a camera.
+    fn counts(&self, camera: &Camera, row: &Row<'_>, body: &Body) -> bool {
+        let (ego, of) = (row.ego.pose, (body.footprint, body.pose));
+        let seen = |least| visible_share(camera, ego, of.0, of.1, row.actors) >= least;
+        camera.covers_body(ego, body) && self.least_share.is_none_or(seen)
+    }
+
+    /// The phantom at a row, with its box.
+    fn phantom(&self, row: &Row<'_>) -> Option<(Phantom, Footprint)> {
+        let (road, params) = self.phantoms.as_ref()?;
+        let around = Surroundings {
+            ego: row.ego,
+            bodies: row.actors,
+            path: |s: f64| {
+                road.world_from_road(Frenet {
+                    s,
+                    d: row.ego.road.d,
+                })
+            },
+        };
+        Some((around.phantom(&self.rig, params)?, params.footprint))
     }
 
     /// The largest demands over all rows.
@@ -104,13 +197,11 @@ impl<'a> Hindsight<'a> {
         // The answer of the step before, of each actor.
         let mut last: Vec<Option<Estimate>> = vec![None; self.futures.len()];
         for row in self.trace.rows() {
-            let actors = (0..).map(ActorId).zip(row.actors);
-            let covers = |camera: &Camera, _, body: &Body| camera.covers_body(row.ego.pose, body);
             let estimate = |actor: ActorId, l_0: f64| {
                 let last = &mut last[actor.index()];
                 *last.insert(self.estimate_after(estimator, &row, actor, l_0, last.as_ref()))
             };
-            estimator.demands_into(&self.rig, actors, covers, estimate, &mut demands);
+            self.demands_into(estimator, &row, estimate, &mut demands);
             self.add(&mut peaks, row.time, &demands);
         }
         peaks

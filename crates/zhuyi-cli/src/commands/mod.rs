@@ -1,5 +1,6 @@
 //! The commands. Each file has the arguments as typed, what they mean, and the run.
 
+mod beyond;
 mod check;
 mod compare;
 mod delivery;
@@ -74,6 +75,8 @@ pub enum Command {
     Robustness(robustness::Arguments),
     /// Put what other safety models ask for beside what was needed, on the same drives
     Compare(compare::Arguments),
+    /// See what the estimator's options beyond the paper change
+    Beyond(beyond::Arguments),
 }
 
 impl Command {
@@ -91,6 +94,7 @@ impl Command {
             Self::Reproduce(typed) => Box::new(typed.meant()?),
             Self::Robustness(typed) => Box::new(typed.meant()?),
             Self::Compare(typed) => Box::new(typed.meant()?),
+            Self::Beyond(typed) => Box::new(typed.meant()?),
         })
     }
 }

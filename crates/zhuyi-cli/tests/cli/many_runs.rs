@@ -1,4 +1,4 @@
-//! `mrf`, `sweep`, `reproduce`, `robustness`, `compare`, with few runs.
+//! `mrf`, `sweep`, `reproduce`, `robustness`, `compare`, `beyond`, with few runs.
 
 use crate::Bench;
 use zhuyi_scenario::embedded;
@@ -92,6 +92,21 @@ fn law_results_are_reproduced_and_a_changed_one_is_told() {
     );
     // Nothing was written.
     assert_eq!(bench.read("out/claims.md"), "all is well\n");
+}
+
+#[test]
+fn hand_beyond_writes_its_file_and_its_figures() {
+    let bench = Bench::new();
+    let out = bench.out("beyond --fpr 30 --seeds 1 --out out");
+    assert!(out.ends_with("out/figures/beyond-evasion.svg\n"), "{out}");
+    assert_eq!(bench.names("out"), ["beyond.md", "figures"]);
+    let figures = [
+        "beyond-evasion.svg",
+        "beyond-phantom.svg",
+        "beyond-uncertainty.svg",
+    ];
+    assert_eq!(bench.names("out/figures"), figures);
+    bench.out("beyond --fpr 30 --seeds 1 --out out --check");
 }
 
 #[test]

@@ -18,7 +18,7 @@
 //!
 //! With both speeds held TTB = TTC - (v_e - v_a) / (2 a_max). Once it is past, TTB is how long ago the braking had to
 //! begin, the ego at its present speed until then and the actor unchanged: the same formula where speeds are held.
-//! TTB < 0 exactly where BTN > 1.
+//! Where both are defined, TTB < 0 exactly where BTN > 1.
 //!
 //! Sources: Jansson, "Collision Avoidance Theory" (2005), section 5.3 (required acceleration with an actor that brakes
 //! and may stop first, BTN); Brännström, Sjöberg & Coelingh (2008) (BTN); Hillenbrand, Spieker & Kroschel, "A

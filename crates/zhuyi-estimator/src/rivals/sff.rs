@@ -18,14 +18,15 @@
 //! This reading: both bodies are boxes along the road; both procedures are braking to standstill; the sets live in
 //! space and time, so two bodies that use one place one after the other do not touch. The set at a time is taken as
 //! the box around all of its brakings: while the boxes can overlap sideways, the ego must stay behind the actor, or the
-//! actor behind the ego, for all pairs of brakings (with b_min = b_max that is the set itself). r is found between 0 and 20 s. An ego that may hold for all of the 20 s is in no danger, even if a braking in between would let
-//! them touch. An actor behind the ego at t_0 is none of its business.
+//! actor behind the ego, for all pairs of brakings (with b_min = b_max that is the set itself). r is found between 0 and 20 s. An ego that may hold for all of
+//! the 20 s is in no danger, even if a braking in between would let them touch. An actor behind the ego at t_0 is none of its business.
 //!
 //! Source: Nister, Lee, Ng, Wang, "The Safety Force Field" and "An Introduction to the Safety Force Field" (NVIDIA,
 //! 2019); DriveWorks documentation, "Safety Force Field". They leave the procedure and its bounds open; the default
 //! brakes by 6 m/s2 sharp, as the other rivals do. Left out: the force itself (the gradient along which controls are
 //! constrained), steering as part of a procedure, claimed sets that grow with time for uncertainty of control, and
-//! procedures that follow the road.
+//! procedures that follow the road. Left out of this reading too, and on the unsafe side: an actor without forward speed
+//! along the path stands in it (an oncoming one is a standing one, and one that crosses square to it never comes in).
 
 use super::course::{Brakes, Course, HORIZON, largest_clear};
 use crate::ego_motion::Start;

@@ -17,7 +17,7 @@
 //! Source: Boroujerdian et al., "RoboRun: A Robot Runtime to Exploit Spatial Heterogeneity" (DAC 2021, arXiv
 //! 2108.13354): the deadline of a decision is the longest latency without a collision, and follows from speed and
 //! visibility. Its robot is a drone with a stopping distance of its own; here it is a car's, v^2/(2 b). Left out by
-//! the model: that the actor moves, so it is strict behind a moving one.
+//! the model: that the actor moves, so it is strict behind one that drives on and lenient before one that comes closer.
 
 use super::cut_in_rule::within;
 use super::{Approach, Lane};

@@ -292,3 +292,18 @@ fn hand_the_end_of_a_piece_belongs_to_the_next() {
     assert_eq!(answer(&estimate), (State::Tolerable, Some(0.967)));
     assert_eq!(estimate.binding, Some(Binding::PassThrough));
 }
+
+/// A t_n may lie at the very end of the horizon: with t_r = 1 s = horizon, K = 0 frames left to confirm at l_0 = 1 s, the
+/// ego at 10 m/s is at that instant behind a lead at 20 m/s, 100 m ahead.
+#[test]
+fn hand_the_end_of_the_horizon_counts() {
+    let params = Params {
+        horizon: 1.0,
+        ..Params::default()
+    };
+    let mut scene = Scene::following(10.0, 100.0, 20.0);
+    scene.current_latency = 1.0;
+    let estimate = scene.ask(&params);
+    assert_eq!(answer(&estimate), (State::Tolerable, Some(1.0)));
+    assert_eq!((estimate.t_n, estimate.binding), (Some(1.0), None));
+}

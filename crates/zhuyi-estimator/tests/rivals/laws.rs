@@ -2,6 +2,7 @@
 
 use crate::scene::{CAR, Scene};
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 use zhuyi_estimator::rivals::{CarefulDriver, Rivals, Rss, SafetyForceField};
 use zhuyi_estimator::{Estimator, Params, Reaction, State};
 
@@ -120,7 +121,7 @@ fn confirmed(answer: Reaction, touches: impl Fn(f64, f64) -> bool) -> bool {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, rng_seed: RngSeed::Fixed(2022), ..ProptestConfig::default() })]
 
     #[test]
     fn law_the_longitudinal_distance_of_the_response_is_the_gap(
@@ -246,7 +247,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, rng_seed: RngSeed::Fixed(2022), ..ProptestConfig::default() })]
 
     #[test]
     fn law_the_driver_agrees_with_small_steps(scene in any_scene(), build_up in prop_oneof![Just(0.0), 0.2..1.0_f64]) {

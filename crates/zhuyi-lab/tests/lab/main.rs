@@ -6,10 +6,12 @@
 //! - `files`: shape of every file of a small plan;
 //! - `reruns`: which rates are run again;
 //! - `moves`: the file of `zhuyi robustness` on a small plan;
-//! - `compare`: the audit of all models against hand counts and replays, and its files.
+//! - `compare`: the audit of all models against hand counts and replays, and its files;
+//! - `beyond`: the file of `zhuyi beyond`.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
+mod beyond;
 mod claims;
 mod compare;
 mod determinism;

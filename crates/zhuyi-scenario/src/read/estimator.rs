@@ -1,5 +1,6 @@
-//! The estimator. A field that is left out has the paper's value.
+//! The estimator. A field that is left out has the paper's value; what goes beyond the paper is off.
 
+use super::beyond::{evasion, option, uncertainty};
 use super::rig::latency;
 use super::{ACCEL, COUNT, read_all};
 use crate::fields::Fields;
@@ -57,6 +58,8 @@ fn params(fields: &Fields) -> Option<Params> {
         cautious: fields
             .optional("cautious")
             .map_or(Some(paper.cautious), |node| node.truth()),
+        uncertainty: option(fields, "uncertainty", "Track", uncertainty),
+        evasion: option(fields, "evasion", "LaneChange", evasion),
     })
 }
 

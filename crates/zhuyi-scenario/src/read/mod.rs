@@ -1,6 +1,7 @@
 //! From nodes to meaning, one file per part of a scenario or system.
 
 mod actor;
+mod beyond;
 mod estimator;
 mod layout;
 mod manoeuvre;

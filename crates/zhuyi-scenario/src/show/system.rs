@@ -3,7 +3,7 @@
 use super::{degrees, number_for, value::Value};
 use crate::model::{Jitter, System};
 use Value::{List, Number, Struct, Text, Truth, Variant, Whole};
-use zhuyi_estimator::{Aggregation, Criterion, Grid, Solver};
+use zhuyi_estimator::{Aggregation, Criterion, Evasion, Grid, Solver, Uncertainty};
 use zhuyi_perception::Eye;
 use zhuyi_planner::PlannerParams;
 use zhuyi_prediction::Predictor;
@@ -179,7 +179,7 @@ fn planner(planner: &PlannerParams) -> Value {
 fn estimator(system: &System) -> Value {
     let params = &system.estimator;
     let name = |name| Variant(name, Vec::new());
-    Struct(vec![
+    let paper = vec![
         ("c1", Number(params.c1)),
         ("c2", Number(params.c2)),
         ("c3_mps2", Number(params.c3)),
@@ -222,5 +222,42 @@ fn estimator(system: &System) -> Value {
         ),
         ("cautious", Truth(params.cautious)),
         ("current_latency", frame_latency(system.current_latency)),
-    ])
+    ];
+    // What goes beyond the paper is not spoken of where it is off.
+    let uncertainty = params
+        .uncertainty
+        .map(|on| ("uncertainty", uncertainty(&on)));
+    let evasion = params.evasion.map(|on| ("evasion", evasion(on)));
+    Struct(
+        paper
+            .into_iter()
+            .chain(uncertainty)
+            .chain(evasion)
+            .collect(),
+    )
+}
+
+fn evasion(on: Evasion) -> Value {
+    Variant(
+        "LaneChange",
+        vec![
+            ("lateral_accel_mps2", Number(on.lateral_accel)),
+            ("window_s", Number(on.window)),
+        ],
+    )
+}
+
+/// Files know deviations alone: covariances between them are not written.
+fn uncertainty(on: &Uncertainty) -> Value {
+    let deviation = |variance: f64| number_for(variance, variance.sqrt(), |root| root * root);
+    Variant(
+        "Track",
+        vec![
+            ("sigmas", Number(on.sigmas)),
+            ("position_m", deviation(on.covariance.ss)),
+            ("speed_mps", deviation(on.covariance.vv)),
+            ("accel_mps2", deviation(on.covariance.aa)),
+            ("jerk_density_m2ps5", Number(on.jerk_density)),
+        ],
+    )
 }

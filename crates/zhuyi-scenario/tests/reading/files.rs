@@ -90,7 +90,8 @@ const EVERYTHING: &str = r#"(
 fn law_shown_reads_back_equal_with_every_variant_and_odd_numbers() {
     let arguments = [
         "prediction=ConstantAcceleration",
-        "estimator=(aggregation: Worst, grid: Fps, solver: Paper, criterion: Standstill, current_latency: Fixed(latency_ms: 137))",
+        "estimator=(aggregation: Worst, grid: Fps, solver: Paper, criterion: Standstill, current_latency: Fixed(latency_ms: 137), \
+         uncertainty: Track(sigmas: 2, position_m: 0.013, speed_mps: 0.035, accel_mps2: 0.47, jerk_density_m2ps5: 3), evasion: LaneChange(lateral_accel_mps2: 4.5, window_s: 3))",
         "perception.cameras.front.latency=Fixed(latency_ms: 33.3)",
         "perception.cameras.front.fov_deg=99.9",
         "perception.cameras.rear.confirm_frames=3",
@@ -114,6 +115,8 @@ fn law_shown_reads_back_equal_with_every_variant_and_odd_numbers() {
         "max_steering_deg: 33.3,",
         "fov_deg: 99.9,",
         "latency_ms: 33.3)",
+        "position_m: 0.013,",
+        "accel_mps2: 0.47,",
         "radius_m: -333.3)",
         "12.3456789,",
     ] {

@@ -433,6 +433,17 @@ fn hand_systems() {
             ),
             (
                 "estimator: ()",
+                "estimator: (uncertainty: Track(sigmas: -1, position_m: 1, speed_mps: 1, accel_mps2: 1, \
+                 jerk_density_m2ps5: 1))",
+                "23:44 `sigmas` must be 0 to 10, got -1",
+            ),
+            (
+                "estimator: ()",
+                "estimator: (evasion: LaneChange(lateral_accel_mps2: 0, window_s: 4))",
+                "23:57 `lateral_accel_mps2` must be above 0 and at most 20, got 0",
+            ),
+            (
+                "estimator: ()",
                 "estimator: (c3: 4.9)",
                 "23:17 unknown field `c3` (did you mean `c3_mps2`?)",
             ),

@@ -1,0 +1,11 @@
+//! The options that go beyond the paper, from outside: worked by hand, and laws.
+//!
+//! - `uncertainty`: what is not known exactly shrinks the gap;
+//! - `phantom`: what nobody sees;
+//! - `evasion`: to the side instead of braking, against a plain scan of its rule.
+
+mod evasion;
+mod phantom;
+#[path = "../model/scene.rs"]
+mod scene;
+mod uncertainty;
