@@ -47,12 +47,13 @@
 //! ```
 //!
 //! What it guarantees, each with a test: after a decision every rate is finite, in [floor, 30] with floor = min(1,
-//! budget / cameras), and their sum is within the budget; the sharing rules never take when the budget grows and do
-//! not look at a camera's place in the rig; a program that hangs, dies or talks nonsense is an error and not a hang.
+//! budget / cameras), and their sum is within the budget; the sharing rules never take when the budget grows (raising
+//! rates: where those fit it) and do not look at a camera's place in the rig; a program that hangs, dies or talks nonsense is an error and not a hang.
 //!
 //! The crate knows the nouns alone: demands are numbers to it, whoever computed them, and the truth is out of reach.
 //! Left out: what a change of rates costs, cameras of different resolution, several accelerators.
 
+pub mod chip;
 pub mod decision;
 pub mod error;
 pub mod policies;
@@ -62,7 +63,8 @@ pub mod score;
 pub mod search;
 pub mod sharing;
 
+pub use chip::{Chip, Compute, Discipline};
 pub use decision::{CameraState, Demands, Policy, Situation};
 pub use error::PolicyError;
 pub use policies::{NAMES, UnknownPolicy, policy};
-pub use queue::{Accelerator, Chip, Compute};
+pub use queue::{Accelerator, Queued};

@@ -1,107 +1,24 @@
 //! Frames that queue for one accelerator: who goes next, who is dropped, and how long each takes.
 //!
 //! ```text
-//! service = W / P,   latency = waiting + service,   capacity = P / W
+//! latency = waiting + service
 //! ```
 //!
-//! | symbol | meaning | unit | here |
-//! |---|---|---|---|
-//! | W | work per frame | GOP | 519.6: SSD-Large on 1200x1200 in MLPerf, 433, and 20 % for models on its features |
-//! | P | speed of the accelerator | TOPS | 30, one Xavier |
-//! | | bytes per frame | B | 1200 x 1200 x 3 |
+//! Work, speed and discipline are those of a [`Chip`]. The accelerator works on one frame at a time and finishes what
+//! it has begun. Frames that arrive at the instant at which it becomes free are in the choice; so the order in which
+//! they were pushed at one instant does not matter. A frame is transferred when its work begins: one dropped while
+//! waiting is a transfer avoided (the paper's section on a Zhuyi-based system). Without dropping, more frames than the
+//! capacity make a queue that only grows.
 //!
-//! The accelerator works on one frame at a time and finishes what it has begun. Frames that arrive at the instant at
-//! which it becomes free are in the choice; so the order in which they were pushed at one instant does not matter.
-//! A frame is transferred when its work begins: one dropped while waiting is a transfer avoided (the paper's
-//! section on a Zhuyi-based system).
-//!
-//! Source: the paper's introduction (work per frame); Liu & Layland 1973 and Jackson 1955 (earliest deadline first,
-//! which here makes the largest lateness of the frames that wait at one instant the least possible). Left out:
-//! batches, several frames at a time, the time of a transfer, work that depends on the picture.
+//! Source: Liu & Layland 1973 and Jackson 1955 (earliest deadline first, which here makes the largest lateness of
+//! the frames that wait at one instant the least possible). Left out: the time of a transfer, interruption.
 
+use crate::chip::{BadChip, Chip, Discipline};
+use std::collections::VecDeque;
 use zhuyi_core::{CameraId, SimTime};
 
-/// Who goes next.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Discipline {
-    /// The frame that came first.
-    #[default]
-    Fifo,
-    /// The frame that must be ready first.
-    EarliestDeadline,
-}
-
-impl Discipline {
-    /// The order that goes with a policy: earliest deadline first with `edf`, else first come, first served.
-    ///
-    /// ```
-    /// use zhuyi_scheduler::queue::Discipline;
-    /// assert_eq!(Discipline::for_policy("edf"), Discipline::EarliestDeadline);
-    /// assert_eq!(Discipline::for_policy("uniform"), Discipline::Fifo);
-    /// ```
-    pub fn for_policy(name: &str) -> Self {
-        if name == "edf" {
-            Self::EarliestDeadline
-        } else {
-            Self::Fifo
-        }
-    }
-}
-
-/// An accelerator and its work.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Chip {
-    /// [TOPS] P, speed.
-    pub tops: f64,
-    /// [GOP] W, work per frame.
-    pub gop_per_frame: f64,
-    /// Bytes per frame.
-    pub frame_bytes: u64,
-    /// Who goes next.
-    pub discipline: Discipline,
-    /// Whether a waiting frame is dropped when a newer one of its camera arrives.
-    pub drop_stale: bool,
-}
-
-impl Default for Chip {
-    fn default() -> Self {
-        Self {
-            tops: 30.0,
-            gop_per_frame: 433.0 * 1.2,
-            frame_bytes: 1200 * 1200 * 3,
-            discipline: Discipline::Fifo,
-            drop_stale: true,
-        }
-    }
-}
-
-impl Chip {
-    /// Time that one frame takes.
-    ///
-    /// 519.6 GOP at 30 TOPS: 519.6 / 30 000 s = 17.32 ms.
-    /// ```
-    /// use zhuyi_core::SimTime;
-    /// use zhuyi_scheduler::queue::Chip;
-    /// assert_eq!(Chip::default().service(), SimTime::from_nanos(17_320_000));
-    /// ```
-    pub fn service(&self) -> SimTime {
-        SimTime::from_seconds(1.0 / self.capacity())
-    }
-
-    /// [Hz] frames per second that it can process: the largest budget that makes sense.
-    ///
-    /// The paper's 12 cameras at 30 FPR need 187 TOPS.
-    /// ```
-    /// use zhuyi_scheduler::queue::Chip;
-    /// let chip = Chip { tops: 187.056, ..Chip::default() };
-    /// assert!((chip.capacity() - 12.0 * 30.0).abs() < 1e-9);
-    /// ```
-    pub fn capacity(&self) -> f64 {
-        self.tops * 1e3 / self.gop_per_frame
-    }
-}
-
-/// When a frame that is exposed at `exposed` must be ready: one period of its camera's demand (1/l) later.
+/// When a frame that is exposed at `exposed` must be ready: one period of its camera's demand [Hz], the tolerable
+/// latency, later. A demand below 1 counts as 1, the least that is asked for (reading R14).
 ///
 /// ```
 /// use zhuyi_core::SimTime;
@@ -109,17 +26,7 @@ impl Chip {
 /// assert_eq!(deadline(SimTime::from_millis(40), 5.0), SimTime::from_millis(240));
 /// ```
 pub fn deadline(exposed: SimTime, demand: f64) -> SimTime {
-    exposed + SimTime::from_seconds(1.0 / demand)
-}
-
-/// Why there can be no such accelerator.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("the {what} of the accelerator must be positive and finite, got {got}")]
-pub struct BadChip {
-    /// Which number.
-    pub what: &'static str,
-    /// [-] what it is, in its own unit.
-    pub got: f64,
+    exposed + SimTime::from_seconds(1.0 / demand.max(1.0))
 }
 
 /// A frame that wants to be processed.
@@ -176,7 +83,7 @@ pub struct Accelerator {
     free: SimTime,
     waiting: Vec<Waiting>,
     /// Begun, in the order in which they become ready; the last may still be under work.
-    begun: std::collections::VecDeque<Processed>,
+    begun: VecDeque<Processed>,
     counts: Counts,
 }
 
@@ -191,7 +98,7 @@ impl Accelerator {
     ///
     /// ```
     /// use zhuyi_core::{CameraId, SimTime};
-    /// use zhuyi_scheduler::queue::{Accelerator, Chip, Queued};
+    /// use zhuyi_scheduler::{Accelerator, Chip, Queued};
     /// let ms = SimTime::from_millis;
     /// // 10 ms per frame. Two frames at once: the second waits for 10 ms and is ready after 20.
     /// let mut accelerator = Accelerator::new(Chip { tops: 50.0, gop_per_frame: 500.0, ..Chip::default() })?;
@@ -202,23 +109,19 @@ impl Accelerator {
     /// assert_eq!(accelerator.take(ms(15)).map(|done| done.latency()), Some(ms(10)));
     /// assert_eq!(accelerator.take(ms(15)), None);
     /// assert_eq!(accelerator.take(ms(20)).map(|done| done.latency()), Some(ms(20)));
-    /// # Ok::<(), zhuyi_scheduler::queue::BadChip>(())
+    /// # Ok::<(), zhuyi_scheduler::chip::BadChip>(())
     /// ```
     ///
     /// # Errors
-    /// If its speed or its work is not positive and finite.
+    /// If [`Chip::check`] refuses it.
     pub fn new(chip: Chip) -> Result<Self, BadChip> {
-        for (what, got) in [("speed", chip.tops), ("work per frame", chip.gop_per_frame)] {
-            if !(got.is_finite() && got > 0.0) {
-                return Err(BadChip { what, got });
-            }
-        }
+        chip.check()?;
         Ok(Self {
             chip,
             now: SimTime::ZERO,
             free: SimTime::ZERO,
             waiting: Vec::new(),
-            begun: std::collections::VecDeque::new(),
+            begun: VecDeque::new(),
             counts: Counts::default(),
         })
     }
@@ -315,14 +218,4 @@ impl Accelerator {
             });
         }
     }
-}
-
-/// How long perception takes.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Compute {
-    /// Every frame takes one period of its camera, 1/f (reading R15).
-    #[default]
-    Ideal,
-    /// Frames queue for an accelerator.
-    Accelerator(Chip),
 }

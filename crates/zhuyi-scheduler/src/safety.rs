@@ -100,20 +100,16 @@ pub enum Response {
     /// A backup system brakes with the safety procedure's deceleration, C3 of the estimator (reading R3).
     EmergencyBackup,
     /// Non-essential tasks give up compute, and the ego drives more carefully.
-    LimitedFunctionality(Limits),
+    LimitedFunctionality {
+        /// [-] by what share of itself the budget grows.
+        freed_share: f64,
+        /// [m/s] by how much the desired speed falls.
+        lower_speed: f64,
+        /// [s] by how much the time headway grows.
+        longer_headway: f64,
+    },
     /// Cameras below their demand are raised at the cost of those above theirs.
     RaiseRates,
-}
-
-/// How functions are limited.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Limits {
-    /// [-] by what share of itself the budget grows.
-    pub freed_share: f64,
-    /// [m/s] by how much the desired speed falls.
-    pub lower_speed: f64,
-    /// [s] by how much the time headway grows.
-    pub longer_headway: f64,
 }
 
 /// What changes in the loop for now. By default nothing.
@@ -133,24 +129,28 @@ impl Response {
     /// What changes in the loop, given whether an alarm stands and the `budget` [Hz].
     ///
     /// ```
-    /// use zhuyi_scheduler::safety::{Limits, Response};
-    /// let limits = Limits { freed_share: 0.25, lower_speed: 5.0, longer_headway: 0.5 };
-    /// let limited = Response::LimitedFunctionality(limits);
+    /// use zhuyi_scheduler::safety::Response;
+    /// let limited =
+    ///     Response::LimitedFunctionality { freed_share: 0.25, lower_speed: 5.0, longer_headway: 0.5 };
     /// assert_eq!(limited.measures(true, 60.0).extra_budget, 15.0);
     /// assert_eq!(limited.measures(false, 60.0).extra_budget, 0.0);
     /// assert!(Response::EmergencyBackup.measures(true, 60.0).brake);
     /// ```
     pub fn measures(&self, alarm: bool, budget: f64) -> Measures {
         let calm = Measures::default();
-        match self {
+        match *self {
             Self::EmergencyBackup if alarm => Measures {
                 brake: true,
                 ..calm
             },
-            Self::LimitedFunctionality(limits) if alarm => Measures {
-                extra_budget: limits.freed_share * budget,
-                lower_speed: limits.lower_speed,
-                longer_headway: limits.longer_headway,
+            Self::LimitedFunctionality {
+                freed_share,
+                lower_speed,
+                longer_headway,
+            } if alarm => Measures {
+                extra_budget: freed_share * budget,
+                lower_speed,
+                longer_headway,
                 ..calm
             },
             _ => calm,

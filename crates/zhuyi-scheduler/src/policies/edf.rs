@@ -9,7 +9,7 @@
 //! where they do wait ([`Compute::Accelerator`](crate::Compute)). Source: Liu & Layland, "Scheduling Algorithms for
 //! Multiprogramming in a Hard-Real-Time Environment" (1973). Left out: interruption of a frame under work.
 //!
-//! [`Discipline::for_policy`]: crate::queue::Discipline::for_policy
+//! [`Discipline::for_policy`]: crate::Discipline::for_policy
 
 use crate::sharing;
 use crate::{Policy, PolicyError, Situation};

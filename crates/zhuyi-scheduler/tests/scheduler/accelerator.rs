@@ -2,7 +2,8 @@
 
 use proptest::prelude::*;
 use zhuyi_core::{CameraId, SimTime};
-use zhuyi_scheduler::queue::{Accelerator, Chip, Discipline, Processed, Queued};
+use zhuyi_scheduler::queue::{Processed, deadline};
+use zhuyi_scheduler::{Accelerator, Chip, Discipline, Queued};
 
 fn ms(millis: i64) -> SimTime {
     SimTime::from_millis(millis)
@@ -145,6 +146,23 @@ fn hand_a_chip_without_speed_or_work_is_refused() {
                 .contains("must be positive")
         );
     }
+    let slow = Chip {
+        tops: 1e-9,
+        ..Chip::default()
+    };
+    assert!(
+        Accelerator::new(slow)
+            .unwrap_err()
+            .to_string()
+            .starts_with("the time per frame of the accelerator must be at most 3600 s, got 5")
+    );
+}
+
+#[test]
+fn hand_a_camera_of_which_nothing_is_asked_has_a_second() {
+    for demand in [1.0, 0.5, 0.0] {
+        assert_eq!(deadline(ms(40), demand), ms(1040));
+    }
 }
 
 #[test]
@@ -162,7 +180,7 @@ fn paper_twelve_cameras_at_thirty_need_more_than_a_xavier_and_less_than_an_orin(
     assert!((needed * Chip::default().gop_per_frame / 1e3 - 187.0).abs() < 0.5);
 }
 
-/// The largest lateness [ns] of frames processed in this order from 0 on, 10 ms each; negative when all are early.
+/// The largest lateness [ms] of frames processed in this order from 0 on, 10 ms each; negative when all are early.
 fn lateness<'a>(deadlines: impl IntoIterator<Item = &'a i64>) -> i64 {
     (1..)
         .zip(deadlines)

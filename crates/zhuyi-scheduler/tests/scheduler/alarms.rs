@@ -1,7 +1,7 @@
 //! The safety check, its responses and its score.
 
 use proptest::prelude::*;
-use zhuyi_scheduler::safety::{Limits, Measures, Response, SafetyCheck, falls_short};
+use zhuyi_scheduler::safety::{Measures, Response, SafetyCheck, falls_short};
 use zhuyi_scheduler::score::score;
 use zhuyi_scheduler::sharing;
 
@@ -27,12 +27,11 @@ fn hand_alarms_of_two_cameras_overlap_and_are_told_apart() {
 
 #[test]
 fn hand_each_response_does_its_own_and_nothing_without_an_alarm() {
-    let limits = Limits {
+    let limited = Response::LimitedFunctionality {
         freed_share: 0.5,
         lower_speed: 3.0,
         longer_headway: 1.0,
     };
-    let limited = Response::LimitedFunctionality(limits);
     for response in [
         Response::None,
         Response::EmergencyBackup,

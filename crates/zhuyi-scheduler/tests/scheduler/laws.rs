@@ -190,10 +190,13 @@ proptest! {
     fn law_raising_makes_no_new_shortage_and_shrinks_the_old_as_far_as_it_can(
         pairs in prop::collection::vec((1.0..30.0_f64, 1.0..30.0_f64), 1..10),
         spare in 0.0..30.0_f64,
+        more in 0.0..30.0_f64,
     ) {
         let (rates, demands): (Vec<f64>, Vec<f64>) = pairs.into_iter().unzip();
         let budget = rates.iter().sum::<f64>() + spare;
         let raised = sharing::raise(&rates, &demands, budget);
+        let with_more = sharing::raise(&rates, &demands, budget + more);
+        prop_assert!(raised.iter().zip(&with_more).all(|(less, more)| *more >= less - 1e-9));
         assert_within(&raised, budget, "raise")?;
         for ((now, then), demand) in raised.iter().zip(&rates).zip(&demands) {
             // Between the rate that it had and its demand.
