@@ -222,9 +222,9 @@ fn hand_the_program_ends_with_the_policy_and_so_does_what_it_started() {
     let folder = std::env::temp_dir().join(format!("zhuyi-scheduler-{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
     let (ids, alive) = (folder.join("ids"), folder.join("alive"));
-    // A child of the shell goes on writing for as long as it lives.
+    // A child of the shell goes on writing for as long as it lives, which is not for good: a failed test leaves nothing.
     let command = format!(
-        "(while :; do echo x >>'{}'; sleep 0.02; done) >/dev/null & echo $! >'{}'; {}",
+        "(i=0; while [ $i -lt 1000 ]; do i=$((i+1)); echo x >>'{}'; sleep 0.02; done) >/dev/null & echo $! >'{}'; {}",
         alive.display(),
         ids.display(),
         always(r#"{"rates_fps":[1,1]}"#)
