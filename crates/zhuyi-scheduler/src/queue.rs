@@ -200,12 +200,9 @@ impl Accelerator {
                     waiting.frame.exposed,
                 )
             };
-            let there = self
-                .waiting
-                .iter()
-                .enumerate()
-                .filter(|(_, w)| w.arrived <= start);
-            let Some((index, _)) = there.min_by_key(|(_, waiting)| rank(waiting)) else {
+            // All that wait came by `start`: later arrivals are pushed only after the choices before them.
+            let waiting = self.waiting.iter().enumerate();
+            let Some((index, _)) = waiting.min_by_key(|(_, waiting)| rank(waiting)) else {
                 return;
             };
             let frame = self.waiting.remove(index).frame;

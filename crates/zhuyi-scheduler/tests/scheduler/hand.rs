@@ -120,6 +120,8 @@ fn hand_static_refuses_what_it_cannot_do() {
         refused("static:fornt=10", 30.0),
         "`static:fornt=10` names the camera `fornt`; the rig has front_120, front_60, left"
     );
+    // Half a word is no group.
+    assert!(refused("static:fron=10", 30.0).contains("names the camera `fron`;"));
     // 2 x 10 and the floor of 1 for the left one.
     assert_eq!(
         refused("static:front=10", 20.5),

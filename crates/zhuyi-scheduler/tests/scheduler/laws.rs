@@ -205,6 +205,9 @@ proptest! {
         let short = |rates: &[f64]| rates.iter().zip(&demands).map(|(r, d)| (d - r).max(0.0)).sum::<f64>();
         let over: f64 = raised.iter().zip(&demands).map(|(r, d)| (r - d).max(0.0)).sum();
         let free = budget - raised.iter().sum::<f64>();
+        // Nobody gives while frames are free.
+        let kept = raised.iter().zip(&rates).all(|(now, then)| *now >= then - 1e-9);
+        prop_assert!(kept || free < 1e-9, "{raised:?} for {demands:?} from {rates:?}");
         prop_assert!(short(&raised) < 1e-9 || over + free < 1e-9, "{raised:?} for {demands:?}");
     }
 }
