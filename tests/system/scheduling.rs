@@ -3,7 +3,7 @@
 use zhuyi_core::FrameRates;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::policy;
-use zhuyi_sim::{Allocation, Asked, Draws, Run, Scheduled, Simulation};
+use zhuyi_sim::{Allocation, Asked, Draws, Run, Scheduled, Simulation, known_future};
 
 use crate::read;
 
@@ -62,6 +62,47 @@ fn law_every_policy_drives_within_its_budget() {
         );
         assert!(frames as f64 >= 4.0 * budget, "{name}: {frames} frames");
     }
+}
+
+/// Who knows the future asks for the obstacle before it can be seen, and so gets by with fifteen frames a second.
+#[test]
+fn law_the_clairvoyant_acts_before_anything_is_seen() {
+    let (scenario, system) = read("cut-out-fast", &[]);
+    let rates = |hz: f64| FrameRates::new(vec![hz; system.perception.eyes.len()]);
+    let draws = Draws {
+        root: 0,
+        scenario: &scenario.name,
+        seed: 0,
+    };
+    let full = Simulation::new(&scenario, &system, &rates(30.0), draws).run();
+    let future = known_future(&full.trace, &system, &rates(30.0));
+    let drive = |name: &str| {
+        let policy = policy(name).expect("a policy");
+        let allocation = Some(Allocation {
+            policy,
+            budget: 15.0,
+        });
+        let simulation = Simulation::new(&scenario, &system, &rates(3.0), draws);
+        Scheduled::new(simulation, &scenario, &system, allocation)
+            .with_known_future(future.clone())
+            .run()
+            .expect("the future is known")
+    };
+    // The last half second in which the lead hides the obstacle.
+    let front = |(_, asked): &(Run, Vec<Asked>)| {
+        let hidden = asked
+            .iter()
+            .filter(|asked| (7.5..8.0).contains(&asked.time.seconds()));
+        hidden.map(|asked| asked.rates[0]).fold(0.0, f64::max)
+    };
+    let (knows, guesses) = (drive("clairvoyant"), drive("demand-first"));
+    assert!(
+        front(&knows) > front(&guesses) + 1.0,
+        "{} {}",
+        front(&knows),
+        front(&guesses)
+    );
+    assert!(!knows.0.collided() && guesses.0.collided());
 }
 
 /// In cut-out-fast the minimum required rate is 6. Three frames a second on each camera are too few; the same fifteen,

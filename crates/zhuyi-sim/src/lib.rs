@@ -26,6 +26,6 @@ pub use draws::Draws;
 pub use offline::{Hindsight, Peak, Peaks};
 pub use online::{Asked, Online};
 pub use outcome::{Collision, Extremes, Frames, Outcome, Run};
-pub use scheduled::{Allocation, Scheduled};
+pub use scheduled::{Allocation, Scheduled, known_future};
 pub use simulation::{STEP, Simulation};
 pub use trace::Trace;

@@ -5,13 +5,16 @@
 //!  every tick:    the first loop, as without it
 //! ```
 
-use zhuyi_core::SimTime;
+use zhuyi_core::{FrameRates, SimTime};
+use zhuyi_estimator::Estimator;
 use zhuyi_scenario::{Scenario, System};
-use zhuyi_scheduler::{CameraState, Policy, PolicyError, Situation};
+use zhuyi_scheduler::{CameraState, Demands, Policy, PolicyError, Situation};
 
+use crate::offline::Hindsight;
 use crate::online::{Asked, Online};
 use crate::outcome::Run;
-use crate::simulation::Simulation;
+use crate::simulation::{STEP, Simulation};
+use crate::trace::Trace;
 
 /// A policy and what it may spend.
 pub struct Allocation {
@@ -29,6 +32,23 @@ pub struct Scheduled<'a> {
     allocation: Option<Allocation>,
     due: SimTime,
     asked: Vec<Asked>,
+    /// [Hz] of every decision and camera, where the future is known.
+    offline: Vec<Vec<f64>>,
+}
+
+/// [Hz] what a finished run of `system` asked of every camera with hindsight, at every decision: the future that the
+/// policy `clairvoyant` knows. l_0 is that of the estimate in the loop.
+pub fn known_future(trace: &Trace, system: &System, rates: &FrameRates) -> Vec<Vec<f64>> {
+    let mut same = system.clone();
+    same.current_latency = system.online.current_latency;
+    let hindsight = Hindsight::new(trace, &same, rates);
+    let estimator = Estimator::new(system.estimator.clone());
+    let every = (system.online.period.nanos() / STEP.nanos()).max(1) as usize;
+    let rows = trace.rows().step_by(every);
+    let demands = rows.map(|row| hindsight.demands(&estimator, &row));
+    demands
+        .map(|demands| demands.iter().map(|demand| demand.fpr).collect())
+        .collect()
 }
 
 impl<'a> Scheduled<'a> {
@@ -46,7 +66,15 @@ impl<'a> Scheduled<'a> {
             allocation,
             due: SimTime::ZERO,
             asked: Vec::new(),
+            offline: Vec::new(),
         }
+    }
+
+    /// Tells policies the [`known_future`] of another run; behind its end its last demands stay.
+    #[must_use]
+    pub fn with_known_future(mut self, offline: Vec<Vec<f64>>) -> Self {
+        self.offline = offline;
+        self
     }
 
     /// The run and what was asked for at every decision.
@@ -72,12 +100,16 @@ impl<'a> Scheduled<'a> {
         let speed = ego.speed;
         let asked = self.online.ask(time, ego, tracks, rates);
         if let Some(Allocation { policy, budget }) = &mut self.allocation {
+            let offline = self.offline.get(self.asked.len()).or(self.offline.last());
             let eyes = self.system.perception.eyes.iter().enumerate();
             let cameras: Vec<CameraState<'_>> = eyes
                 .map(|(place, eye)| CameraState {
                     name: &eye.camera.name,
                     rate: asked.rates[place],
-                    demands: asked.by_model[place],
+                    demands: Demands {
+                        offline: offline.map(|demands| demands[place]),
+                        ..asked.by_model[place]
+                    },
                     importance: asked.importance[place],
                 })
                 .collect();

@@ -11,7 +11,7 @@ use zhuyi_core::FrameRates;
 use zhuyi_estimator::grid::MAX_FPR;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::policy;
-use zhuyi_sim::{Allocation, Draws, Scheduled, Simulation, trace_csv};
+use zhuyi_sim::{Allocation, Draws, Scheduled, Simulation, known_future, trace_csv};
 
 use super::Task;
 use crate::answer::Answer;
@@ -44,7 +44,8 @@ The trace has one row per time and vehicle: time_s, id, x_m, y_m, heading_rad, s
 s_m, d_m, lane. The ego's id is `ego`. The same command gives the same bytes.
 
 Policies share --budget-fps between the cameras, every 100 ms: uniform, proportional (to the demand, the paper's), \
-demand-first, demand-hysteresis, importance, rss, ttc, pylot, edf, static:front=10,left=1,.. and exec:COMMAND, a program of \
+demand-first, demand-hysteresis, importance, rss, ttc, pylot, edf, clairvoyant, \
+static:front=10,left=1,.. and exec:COMMAND, a program of \
 yours that reads one line of JSON per decision and answers with one: {\"rates_fps\": [..]}. The drive begins at the budget in \
 equal parts.
 
@@ -233,7 +234,10 @@ impl Task for Run {
         let simulation = Simulation::new(&self.scenario, &self.system, &self.rates, draws);
         let allocation = self.allocation.take();
         let (run, asked) = if allocation.is_some() || self.online.is_some() {
-            Scheduled::new(simulation, &self.scenario, &self.system, allocation).run()?
+            let future = self.future(allocation.as_ref(), draws);
+            Scheduled::new(simulation, &self.scenario, &self.system, allocation)
+                .with_known_future(future)
+                .run()?
         } else {
             (simulation.run(), Vec::new())
         };
@@ -255,6 +259,16 @@ impl Task for Run {
 }
 
 impl Run {
+    /// The future that the policy `clairvoyant` knows: that of the same drive with every camera at 30 FPR.
+    fn future(&self, allocation: Option<&Allocation>, draws: Draws<'_>) -> Vec<Vec<f64>> {
+        if allocation.is_none_or(|allocation| allocation.policy.name() != "clairvoyant") {
+            return Vec::new();
+        }
+        let full = FrameRates::new(vec![MAX_FPR; self.rates.all().len()]);
+        let run = Simulation::new(&self.scenario, &self.system, &full, draws).run();
+        known_future(&run.trace, &self.system, &full)
+    }
+
     /// What to type next, and what for.
     fn next(&self, summary: &Summary) -> Vec<(String, &'static str)> {
         let mut next = Vec::new();
