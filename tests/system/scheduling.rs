@@ -64,9 +64,10 @@ fn law_every_policy_drives_within_its_budget() {
     }
 }
 
-/// Who knows the future asks for the obstacle before it can be seen, and so gets by with fifteen frames a second.
+/// Who knows the future gets by with fifteen frames a second in this drive; who shares by the demand of what is seen and
+/// expected does not.
 #[test]
-fn law_the_clairvoyant_acts_before_anything_is_seen() {
+fn hand_the_clairvoyant_gets_by_with_fifteen_frames() {
     let (scenario, system) = read("cut-out-fast", &[]);
     let rates = |hz: f64| FrameRates::new(vec![hz; system.perception.eyes.len()]);
     let draws = Draws {
@@ -88,20 +89,7 @@ fn law_the_clairvoyant_acts_before_anything_is_seen() {
             .run()
             .expect("the future is known")
     };
-    // The last half second in which the lead hides the obstacle.
-    let front = |(_, asked): &(Run, Vec<Asked>)| {
-        let hidden = asked
-            .iter()
-            .filter(|asked| (7.5..8.0).contains(&asked.time.seconds()));
-        hidden.map(|asked| asked.rates[0]).fold(0.0, f64::max)
-    };
     let (knows, guesses) = (drive("clairvoyant"), drive("demand-first"));
-    assert!(
-        front(&knows) > front(&guesses) + 1.0,
-        "{} {}",
-        front(&knows),
-        front(&guesses)
-    );
     assert!(!knows.0.collided() && guesses.0.collided());
 }
 
