@@ -58,7 +58,14 @@ fn law_the_arrows_are_those_of_the_readme() {
 #[test]
 fn law_the_stages_do_not_know_each_other_and_the_estimator_knows_the_nouns_alone() {
     let arrows = manifests();
-    for stage in ["world", "perception", "prediction", "planner", "estimator"] {
+    for stage in [
+        "world",
+        "perception",
+        "prediction",
+        "planner",
+        "estimator",
+        "scheduler",
+    ] {
         let on = &arrows[&format!("zhuyi-{stage}")];
         assert_eq!(
             on.iter().map(String::as_str).collect::<Vec<_>>(),

@@ -8,6 +8,7 @@
 //! | `repeatable` | the same run gives the same bits; runs that differ in rates alone share their draws |
 //! | `physics` | nothing reverses, jumps or passes through anything in any of the nine |
 //! | `knowledge` | the planner acts on confirmed tracks alone |
+//! | `scheduling` | every policy drives within its budget; the estimate in the loop |
 //!
 //! The command itself is tested in `crates/zhuyi-cli/tests`, where Cargo hands over the real binary.
 
@@ -17,6 +18,7 @@ mod cut_out;
 mod knowledge;
 mod physics;
 mod repeatable;
+mod scheduling;
 
 use zhuyi_core::FrameRates;
 use zhuyi_scenario::{Scenario, Setting, Source, System, embedded, load};

@@ -34,6 +34,9 @@ pub enum Error {
     /// `--check` found something.
     #[error("{0}")]
     Unmet(String),
+    /// The policy failed in the middle of a drive.
+    #[error("the policy failed")]
+    Policy(#[from] zhuyi_scheduler::PolicyError),
     /// Ctrl-C cannot be caught.
     #[error("cannot listen for Ctrl-C")]
     Signals(#[from] ctrlc::Error),
@@ -49,6 +52,7 @@ impl Error {
             | Self::Exists(_)
             | Self::Print(_)
             | Self::Lab(_)
+            | Self::Policy(_)
             | Self::Signals(_) => 4,
         }
     }

@@ -5,6 +5,9 @@ use std::ops::RangeInclusive;
 /// What is wrong with a part of an argument.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Fault {
+    /// No policy.
+    #[error("{0}")]
+    Policy(zhuyi_scheduler::UnknownPolicy),
     /// No digits.
     #[error("expected a whole number, got `{0}`")]
     NotWhole(String),
@@ -99,6 +102,7 @@ impl Fault {
             Self::Unknown { hint, .. } => Some(hint),
             Self::Name(_) => Some("--output takes a path"),
             Self::Reversed { .. } => Some("the smaller number first"),
+            Self::Policy(_) => Some("zhuyi help run lists them"),
             _ => None,
         }
     }

@@ -14,7 +14,7 @@ pub(crate) fn trajectory(track: &Track, road: &Road, threshold: f64) -> Trajecto
     }
 }
 
-fn across(track: &Track, road: &Road, threshold: f64) -> Vec<Across> {
+pub(crate) fn across(track: &Track, road: &Road, threshold: f64) -> Vec<Across> {
     let (d, rate) = (track.road.d, track.d_rate);
     if rate.abs() < threshold {
         return vec![Across {

@@ -5,11 +5,14 @@
 //! ```
 //!
 //! Nothing is learned and nobody reacts to anybody: the three are the kinematic predictors of the field (survey: Lefèvre,
-//! Vasquez, Laugier, ROBOMECH Journal 1:1, 2014). Each gives one trajectory, which
-//! has the whole probability.
+//! Vasquez, Laugier, ROBOMECH Journal 1:1, 2014). Each gives one trajectory, which has the whole probability; several
+//! with probabilities come from [`Manoeuvres`].
 
 mod constant;
 mod lane_change;
+mod manoeuvres;
+
+pub use manoeuvres::Manoeuvres;
 
 use zhuyi_core::{Forecast, Road, Track};
 
@@ -26,20 +29,25 @@ pub enum Predictor {
         /// [m/s] lateral speed that counts as the beginning of a lane change.
         threshold: f64,
     },
+    /// Several of the above with probabilities.
+    Manoeuvres(Manoeuvres),
 }
 
 impl Predictor {
     /// The forecast for one track. Times of its pieces count from the track's `time`.
     pub fn forecast(self, track: &Track, road: &Road) -> Forecast {
-        let trajectory = match self {
-            Self::ConstantVelocity => constant::trajectory(track, 0.0),
-            Self::ConstantAcceleration => constant::trajectory(track, track.s_accel),
-            Self::LaneChange { threshold } => lane_change::trajectory(track, road, threshold),
+        let trajectories = match self {
+            Self::ConstantVelocity => vec![(1.0, constant::trajectory(track, 0.0))],
+            Self::ConstantAcceleration => vec![(1.0, constant::trajectory(track, track.s_accel))],
+            Self::LaneChange { threshold } => {
+                vec![(1.0, lane_change::trajectory(track, road, threshold))]
+            }
+            Self::Manoeuvres(manoeuvres) => manoeuvres::trajectories(track, road, &manoeuvres),
         };
         Forecast {
             actor: track.actor,
             footprint: track.footprint,
-            trajectories: vec![(1.0, trajectory)],
+            trajectories,
         }
     }
 }

@@ -66,6 +66,6 @@ mod syntax;
 pub use conflict::Conflict;
 pub use invalid::{Invalid, Rule, Violation};
 pub use load::load;
-pub use model::{EgoStart, Jitter, Scenario, System};
+pub use model::{EgoStart, Jitter, Online, Scenario, System};
 pub use source::{Kind, Setting, Source};
 pub use suggestion::did_you_mean;

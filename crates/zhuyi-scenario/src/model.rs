@@ -55,8 +55,21 @@ pub struct System {
     /// [s] l_0, the latency at which the estimator takes every camera to run now; none: each camera's own frame period
     /// (readings R14, R22).
     pub current_latency: Option<f64>,
+    /// The estimate that the ego makes while it drives.
+    pub online: Online,
     /// How the seeds of a sweep differ (reading R18).
     pub jitter: Jitter,
+}
+
+/// The estimate in the loop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Online {
+    /// What it expects of others; the planner has a predictor of its own.
+    pub predictor: Predictor,
+    /// [s] l_0; none: the latency at which each camera runs now, which feeds on itself (reading R22).
+    pub current_latency: Option<f64>,
+    /// How often it is made, and rates are decided.
+    pub period: SimTime,
 }
 
 /// Spread of the actors' start from seed to seed, uniform in ± these bounds.

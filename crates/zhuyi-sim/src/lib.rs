@@ -14,14 +14,18 @@
 
 pub mod draws;
 pub mod offline;
+pub mod online;
 pub mod outcome;
 pub mod recorded;
+pub mod scheduled;
 pub mod simulation;
 pub mod trace;
 pub mod trace_csv;
 
 pub use draws::Draws;
 pub use offline::{Hindsight, Peak, Peaks};
+pub use online::{Asked, Online};
 pub use outcome::{Collision, Extremes, Frames, Outcome, Run};
+pub use scheduled::{Allocation, Scheduled, known_future};
 pub use simulation::{STEP, Simulation};
 pub use trace::Trace;

@@ -1,7 +1,7 @@
 //! The loop: one tick moves the truth by one step, with the ego acting on what its cameras have told it so far.
 
 use rand::RngExt;
-use zhuyi_core::{CameraId, Forecast, FrameRates, Frenet, SimTime};
+use zhuyi_core::{Body, CameraId, Forecast, FrameRates, Frenet, SimTime, Track};
 use zhuyi_perception::{Eyes, Purpose, Tracker};
 use zhuyi_planner::Planner;
 use zhuyi_scenario::{Scenario, System};
@@ -101,9 +101,19 @@ impl<'a> Simulation<'a> {
     /// Ticks until the ego touches something or the scenario's time is over.
     pub fn run(mut self) -> Run {
         let mut contact = None;
-        while contact.is_none() && self.world.scene().time < self.scenario.duration {
+        while contact.is_none() && !self.is_over() {
             contact = self.tick();
         }
+        self.finish(contact)
+    }
+
+    /// Whether the scenario's time is over.
+    pub(crate) fn is_over(&self) -> bool {
+        self.world.scene().time >= self.scenario.duration
+    }
+
+    /// The end of the run, with the contact that the last tick returned.
+    pub(crate) fn finish(self, contact: Option<Contact>) -> Run {
         let outcome = match contact {
             None => Outcome::Completed,
             Some(contact) => Outcome::Collision(Collision {
@@ -121,6 +131,26 @@ impl<'a> Simulation<'a> {
             outcome,
             frames: frames.collect(),
             trace: self.trace,
+        }
+    }
+
+    /// What the ego knows now: the time, itself by its own localisation, and the confirmed tracks.
+    pub(crate) fn beliefs(&mut self) -> (SimTime, &Body, &[Track]) {
+        let scene = self.world.scene();
+        (scene.time, &scene.ego, self.tracker.tracks(scene.time))
+    }
+
+    /// [Hz] the present rate of every camera, in the order of the rig.
+    pub(crate) fn rates(&self) -> Vec<f64> {
+        let cameras = (0..self.system.perception.eyes.len() as u8).map(CameraId);
+        cameras.map(|camera| self.eyes.rate(camera)).collect()
+    }
+
+    /// Sets the rate of every camera from now on (reading R15).
+    pub(crate) fn set_rates(&mut self, rates: &[f64]) {
+        let now = self.world.scene().time;
+        for (camera, hz) in (0..).map(CameraId).zip(rates) {
+            self.eyes.set_rate(camera, *hz, now);
         }
     }
 }

@@ -1,5 +1,6 @@
 //! `zhuyi run`: one drive, told in figures.
 
+mod online;
 mod summary;
 mod text;
 
@@ -7,13 +8,16 @@ use std::path::PathBuf;
 
 use clap::Args;
 use zhuyi_core::FrameRates;
+use zhuyi_estimator::grid::MAX_FPR;
 use zhuyi_scenario::{Scenario, System};
-use zhuyi_sim::{Draws, Simulation, trace_csv};
+use zhuyi_scheduler::policy;
+use zhuyi_sim::{Allocation, Draws, Scheduled, Simulation, known_future, trace_csv};
 
 use super::Task;
 use crate::answer::Answer;
 use crate::argument::Argument;
 use crate::error::Error;
+use crate::fault::Fault;
 use crate::inputs::{Inputs, Setup};
 use crate::output::Output;
 use crate::problems::Problems;
@@ -37,7 +41,16 @@ camera would have let the ego brake in time, at every 10 ms step; the highest is
 up to the contact.
 
 The trace has one row per time and vehicle: time_s, id, x_m, y_m, heading_rad, speed_mps, accel_mps2, length_m, width_m, \
-s_m, d_m, lane. The ego's id is `ego`. The same command gives the same bytes.")]
+s_m, d_m, lane. The ego's id is `ego`. The same command gives the same bytes.
+
+Policies share --budget-fps between the cameras, every 100 ms: uniform, proportional (to the demand, the paper's), \
+demand-first, demand-hysteresis, importance, rss, ttc, pylot, edf, clairvoyant, \
+static:front=10,left=1,.. and exec:COMMAND, a program of \
+yours that reads one line of JSON per decision and answers with one: {\"rates_fps\": [..]}. The drive begins at the budget in \
+equal parts.
+
+The file of --online has one row per decision and camera: time_s, camera, rate_fps, online_fps, online_actor, offline_fps, \
+offline_actor; offline is with hindsight and the same l_0.")]
 pub struct Arguments {
     /// A scenario's name (see zhuyi list) or the path of a .ron file
     #[arg(value_name = "SCENARIO")]
@@ -67,13 +80,32 @@ pub struct Arguments {
     /// Write where every vehicle was at every 10 ms step, as CSV
     #[arg(long, value_name = "FILE")]
     trace: Option<PathBuf>,
+    /// Write what the ego itself asks of each camera while it drives, from what it believes and expects, beside
+    /// what was needed in hindsight, as CSV
+    #[arg(long, value_name = "FILE")]
+    online: Option<PathBuf>,
+    /// Let a policy decide the frame rates while driving: see below
+    #[arg(
+        long,
+        value_name = "POLICY",
+        requires = "budget_fps",
+        conflicts_with = "fpr"
+    )]
+    policy: Option<String>,
+    /// What the policy may spend: frames per second over all cameras
+    #[arg(
+        long,
+        value_name = "N",
+        requires = "policy",
+        allow_hyphen_values = true
+    )]
+    budget_fps: Option<String>,
     /// Print one JSON document instead of text; its names carry their units
     #[arg(long)]
     json: bool,
 }
 
 /// A drive to make.
-#[derive(Debug)]
 pub struct Run {
     scenario: Scenario,
     system: System,
@@ -81,6 +113,8 @@ pub struct Run {
     seed: u64,
     root_seed: u64,
     trace: Option<Output>,
+    online: Option<Output>,
+    allocation: Option<Allocation>,
     json: bool,
     /// What was typed, to say what to type next.
     typed: Arguments,
@@ -98,12 +132,18 @@ impl Arguments {
         let rates = Rates::read(self.fpr.as_deref(), &mut problems);
         let rates = rates.zip(read.system.as_ref());
         let rates = rates.and_then(|(rates, system)| rates.of(system, &mut problems));
+        let rates = rates.map(|rates| match self.budget_fps.as_deref().map(str::parse) {
+            Some(Ok(budget)) => equal_parts(budget, &rates),
+            _ => rates,
+        });
         let root_seed = seed("--root-seed", &self.root_seed, &mut problems);
         let seed = seed("--seed", &self.seed, &mut problems);
-        let trace = match &self.trace {
+        let mut place = |path: &Option<PathBuf>| match path {
             Some(path) => Output::reserve(path, &mut problems).map(Some),
             None => Some(None),
         };
+        let (trace, online) = (place(&self.trace), place(&self.online));
+        let allocation = self.allocation(&mut problems);
         let scenario = read.scenarios.and_then(|mut scenarios| scenarios.pop());
         let run = || {
             Some(Run {
@@ -113,6 +153,8 @@ impl Arguments {
                 seed: seed?,
                 root_seed: root_seed?,
                 trace: trace?,
+                online: online?,
+                allocation: allocation?,
                 json: self.json,
                 typed: self,
             })
@@ -121,11 +163,40 @@ impl Arguments {
         problems.finish(run)
     }
 
+    /// The policy and its budget, if one was typed.
+    #[expect(clippy::option_option, reason = "refused, or read: none or one")]
+    fn allocation(&self, problems: &mut Problems) -> Option<Option<Allocation>> {
+        let (Some(name), Some(budget)) = (&self.policy, &self.budget_fps) else {
+            return Some(None);
+        };
+        let argument = Argument::new("--budget-fps", budget);
+        let budget = argument.number(&argument.all(), "a budget", 0.1..=1e4, problems);
+        let policy = match policy(name) {
+            Ok(policy) => Some(policy),
+            Err(error) => {
+                let argument = Argument::new("--policy", name);
+                argument.refuse(&argument.all(), Fault::Policy(error), problems);
+                None
+            }
+        };
+        let allocation = |(policy, budget)| Some(Allocation { policy, budget });
+        policy.zip(budget).map(allocation)
+    }
+
     /// This drive as typed, at other rates if given, without what is written or printed.
     fn words<'a>(&'a self, fpr: Option<&'a str>) -> Vec<&'a str> {
         let mut words = vec!["zhuyi", "run", &self.scenario];
         if let Some(fpr) = fpr.or(self.fpr.as_deref()) {
             words.extend(["--fpr", fpr]);
+        }
+        if fpr.is_none() {
+            let flags = [
+                ("--policy", &self.policy),
+                ("--budget-fps", &self.budget_fps),
+            ];
+            for (flag, value) in flags {
+                words.extend(value.iter().flat_map(|value| [flag, value]));
+            }
         }
         for (flag, seed) in [("--seed", &self.seed), ("--root-seed", &self.root_seed)] {
             if seed != "0" {
@@ -134,6 +205,16 @@ impl Arguments {
         }
         words.extend(self.setup.words());
         words
+    }
+}
+
+/// A budget in equal parts, at most 30 each.
+fn equal_parts(budget: f64, cameras: &FrameRates) -> FrameRates {
+    let each = budget / cameras.all().len() as f64;
+    if each.is_finite() && each > 0.0 {
+        FrameRates::new(vec![each.min(MAX_FPR); cameras.all().len()])
+    } else {
+        cameras.clone()
     }
 }
 
@@ -150,8 +231,21 @@ impl Task for Run {
             scenario: &self.scenario.name,
             seed: self.seed,
         };
-        let run = Simulation::new(&self.scenario, &self.system, &self.rates, draws).run();
+        let simulation = Simulation::new(&self.scenario, &self.system, &self.rates, draws);
+        let allocation = self.allocation.take();
+        let (run, asked) = if allocation.is_some() || self.online.is_some() {
+            let future = self.future(allocation.as_ref(), draws);
+            Scheduled::new(simulation, &self.scenario, &self.system, allocation)
+                .with_known_future(future)
+                .run()?
+        } else {
+            (simulation.run(), Vec::new())
+        };
         let summary = Summary::new(&self, &run);
+        if let Some(output) = self.online.take() {
+            let text = online::csv(&self.scenario, &self.system, &run, &asked);
+            output.write(text.as_bytes())?;
+        }
         if let Some(output) = self.trace.take() {
             output.write(trace_csv::csv(&run.trace, &self.scenario.road).as_bytes())?;
         }
@@ -165,6 +259,16 @@ impl Task for Run {
 }
 
 impl Run {
+    /// The future that the policy `clairvoyant` knows: that of the same drive with every camera at 30 FPR.
+    fn future(&self, allocation: Option<&Allocation>, draws: Draws<'_>) -> Vec<Vec<f64>> {
+        if allocation.is_none_or(|allocation| allocation.policy.name() != "clairvoyant") {
+            return Vec::new();
+        }
+        let full = FrameRates::new(vec![MAX_FPR; self.rates.all().len()]);
+        let run = Simulation::new(&self.scenario, &self.system, &full, draws).run();
+        known_future(&run.trace, &self.system, &full)
+    }
+
     /// What to type next, and what for.
     fn next(&self, summary: &Summary) -> Vec<(String, &'static str)> {
         let mut next = Vec::new();

@@ -267,3 +267,101 @@ fn law_text_and_document_agree_on_braking_and_evasion() {
     }
     assert!((1..4).contains(&braked), "both cases are to be seen");
 }
+
+#[test]
+fn hand_the_estimate_in_the_loop_beside_the_one_in_hindsight() {
+    let bench = Bench::new();
+    bench.out("run cut-in --set duration_s=2 --online online.csv");
+    let text = bench.read("online.csv");
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(
+        lines[0],
+        "time_s,camera,rate_fps,online_fps,online_actor,offline_fps,offline_actor"
+    );
+    // Five cameras, every 100 ms.
+    assert_eq!(lines.len(), 1 + 5 * 20);
+    assert!(
+        lines[1].starts_with("0.000000,front_120,30.000000,"),
+        "{}",
+        lines[1]
+    );
+    assert!(
+        lines[100].starts_with("1.900000,rear,30.000000,"),
+        "{}",
+        lines[100]
+    );
+}
+
+#[test]
+fn hand_a_policy_shares_a_budget() {
+    let bench = Bench::new();
+    let document = json(
+        &bench,
+        "cut-in --set duration_s=4 --policy demand-first --budget-fps 20",
+    );
+    // Four seconds of twenty frames, and one more per camera at the ends.
+    let frames = document["frames_processed"].as_u64().unwrap();
+    assert!((60..=85).contains(&frames), "{frames}");
+    assert_eq!(document["cameras"][0]["rate_fpr"], 4.0);
+    assert!(
+        document["command"]
+            .as_str()
+            .unwrap()
+            .ends_with("--set duration_s=4")
+            || document["command"]
+                .as_str()
+                .unwrap()
+                .contains("--policy demand-first --budget-fps 20")
+    );
+    for policy in [
+        "uniform",
+        "clairvoyant",
+        "static:front=5,left=2,right=2,rear=2",
+    ] {
+        bench.out(&format!(
+            "run cut-in --set duration_s=1 --policy {policy} --budget-fps 20"
+        ));
+    }
+}
+
+#[test]
+fn hand_policies_that_cannot_be_meant_and_programs_that_fail() {
+    let bench = Bench::new();
+    for (line, told) in [
+        (
+            "run cut-in --policy fair --budget-fps 20",
+            "there is no policy `fair`",
+        ),
+        (
+            "run cut-in --policy uniform --budget-fps 0",
+            "a budget must be 0.1 to 10000, got 0",
+        ),
+        (
+            "run cut-in --policy uniform --budget-fps x",
+            "expected a number, got `x`",
+        ),
+        ("run cut-in --policy uniform", "--budget-fps"),
+        ("run cut-in --budget-fps 20", "--policy"),
+        (
+            "run cut-in --policy uniform --budget-fps 20 --fpr 5",
+            "--fpr",
+        ),
+    ] {
+        let ran = bench.zhuyi(line);
+        assert_eq!(
+            (ran.code, ran.out.as_str()),
+            (Some(2), ""),
+            "{line}\n{}",
+            ran.err
+        );
+        assert!(ran.err.contains(told), "{line}\n{}", ran.err);
+    }
+    let ran = bench.zhuyi("run cut-in --policy exec:false --budget-fps 20 --trace t.csv");
+    assert_eq!((ran.code, ran.out.as_str()), (Some(4), ""), "{}", ran.err);
+    assert!(
+        ran.err.starts_with("error: the policy failed: "),
+        "{}",
+        ran.err
+    );
+    assert_eq!(bench.names("."), Vec::<String>::new());
+}

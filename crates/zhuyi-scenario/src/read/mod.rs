@@ -5,6 +5,7 @@ mod beyond;
 mod estimator;
 mod layout;
 mod manoeuvre;
+mod online;
 mod planner;
 mod rig;
 mod road;

@@ -6,7 +6,7 @@ use crate::fields::Fields;
 use crate::limits::{above, within};
 use crate::node::Node;
 use zhuyi_planner::PlannerParams;
-use zhuyi_prediction::Predictor;
+use zhuyi_prediction::{Manoeuvres, Predictor};
 use zhuyi_world::Vehicle;
 
 /// The planner of a vehicle.
@@ -78,6 +78,15 @@ pub(super) fn prediction(node: &Node) -> Option<Predictor> {
                 read_all!(Predictor::LaneChange {
                     threshold: fields.number("threshold_mps", above(0.0, 10.0))
                 })
+            }),
+            ("Manoeuvres", &|fields| {
+                Some(Predictor::Manoeuvres(read_all!(Manoeuvres {
+                    threshold: fields.number("threshold_mps", above(0.0, 10.0)),
+                    braking: fields.number("braking", within(0.0, 0.3)),
+                    decel: fields.number("decel_mps2", ACCEL),
+                    changing: fields.number("changing", within(0.0, 0.3)),
+                    lateral_speed: fields.number("lateral_speed_mps", above(0.0, 10.0)),
+                })?))
             }),
         ],
     )

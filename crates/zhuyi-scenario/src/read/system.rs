@@ -1,6 +1,7 @@
 //! A system as a whole.
 
 use super::estimator::estimator;
+use super::online::online;
 use super::planner::{planner, prediction};
 use super::read_all;
 use super::rig::perception;
@@ -26,6 +27,7 @@ pub(crate) fn system(root: &Node) -> Option<System> {
         let estimator = fields
             .required("estimator")
             .and_then(|node| estimator(&node));
+        let online = online(fields);
         let jitter = fields.required("jitter").and_then(|node| jitter(&node));
         let (rig, estimator) = (rig?, estimator?);
         Some(System {
@@ -36,6 +38,7 @@ pub(crate) fn system(root: &Node) -> Option<System> {
             planner: planner?,
             estimator: estimator.params,
             current_latency: estimator.current_latency,
+            online: online?,
             jitter: jitter?,
         })
     })

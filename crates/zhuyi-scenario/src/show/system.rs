@@ -18,6 +18,20 @@ pub(super) fn system(system: &System) -> Value {
         ("planner", planner(&system.planner)),
         ("estimator", estimator(system)),
         (
+            "online",
+            Struct(vec![
+                ("prediction", prediction(system.online.predictor)),
+                (
+                    "current_latency",
+                    frame_latency(system.online.current_latency),
+                ),
+                (
+                    "every_ms",
+                    Number(system.online.period.nanos() as f64 / 1e6),
+                ),
+            ]),
+        ),
+        (
             "jitter",
             Struct(vec![
                 ("position_m", Number(position)),
@@ -121,6 +135,16 @@ fn prediction(predictor: Predictor) -> Value {
         Predictor::LaneChange { threshold } => {
             Variant("LaneChange", vec![("threshold_mps", Number(threshold))])
         }
+        Predictor::Manoeuvres(manoeuvres) => Variant(
+            "Manoeuvres",
+            vec![
+                ("threshold_mps", Number(manoeuvres.threshold)),
+                ("braking", Number(manoeuvres.braking)),
+                ("decel_mps2", Number(manoeuvres.decel)),
+                ("changing", Number(manoeuvres.changing)),
+                ("lateral_speed_mps", Number(manoeuvres.lateral_speed)),
+            ],
+        ),
     }
 }
 

@@ -1,0 +1,164 @@
+//! What a policy knows when it decides, and what it owes.
+//!
+//! ```text
+//! floor <= f_i <= 30 for every camera i,   f_1 + .. + f_n <= B,   floor = min(1, B/n)
+//! ```
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | f_i | frame rate of camera i, the answer | Hz |
+//! | B | budget: frames per second that all cameras together may process | Hz |
+//! | n | number of cameras | - |
+//!
+//! The floor is the rate of a camera that nobody asks anything of (reading R14); below n frames per second not even
+//! that is there, and all get the same. Source: the block "Work prioritization" of the paper's section on a
+//! Zhuyi-based system, which leaves budget and limits open. Left out: what a change of rates costs.
+
+use crate::error::PolicyError;
+use crate::sharing;
+
+/// What a policy knows when it decides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Situation<'a> {
+    /// [s] time of the decision.
+    pub time: f64,
+    /// [Hz] frames per second that all cameras together may process.
+    pub budget: f64,
+    /// [m/s] speed of the ego.
+    pub ego_speed: f64,
+    /// The cameras, in the order of the rig.
+    pub cameras: &'a [CameraState<'a>],
+}
+
+/// One camera at the time of the decision.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CameraState<'a> {
+    /// Its name in the rig.
+    pub name: &'a str,
+    /// [Hz] the rate it has now.
+    pub rate: f64,
+    /// [Hz] what each model asks of it; 1 where nothing is asked for.
+    pub demands: Demands,
+    /// [Hz] sum of 1/l over the actors that it covers (importance).
+    pub importance: f64,
+}
+
+/// [Hz] demands by model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Demands {
+    /// [Hz] the paper's model, from what is perceived and predicted.
+    pub zhuyi: f64,
+    /// [Hz] Responsibility-Sensitive Safety.
+    pub rss: f64,
+    /// [Hz] time to collision against a threshold.
+    pub ttc: f64,
+    /// [Hz] Pylot's deadline.
+    pub pylot: f64,
+    /// [Hz] clairvoyant: the paper's model with the true future, where that is known.
+    pub offline: Option<f64>,
+}
+
+impl Demands {
+    /// The same demand by every model.
+    ///
+    /// ```
+    /// use zhuyi_scheduler::Demands;
+    /// assert_eq!(Demands::all(7.0).rss, 7.0);
+    /// assert_eq!(Demands::all(7.0).offline, Some(7.0));
+    /// ```
+    pub const fn all(demand: f64) -> Self {
+        Self {
+            zhuyi: demand,
+            rss: demand,
+            ttc: demand,
+            pylot: demand,
+            offline: Some(demand),
+        }
+    }
+}
+
+impl Situation<'_> {
+    /// [Hz] the least that every camera gets, `min(1, budget / cameras)`.
+    pub fn floor(&self) -> f64 {
+        sharing::floor(self.budget, self.cameras.len())
+    }
+
+    /// Whether a policy can decide at all: every policy asks this first.
+    ///
+    /// # Errors
+    /// If the budget is not positive, a number is not finite, a demand or an importance is negative, or `rates` has
+    /// not one place per camera.
+    pub fn check(&self, rates: &[f64]) -> Result<(), PolicyError> {
+        if rates.len() != self.cameras.len() {
+            return Err(PolicyError::Places {
+                cameras: self.cameras.len(),
+                places: rates.len(),
+            });
+        }
+        if !(self.budget.is_finite() && self.budget > 0.0) {
+            return Err(PolicyError::Budget { got: self.budget });
+        }
+        for (what, got) in [("time", self.time), ("ego's speed", self.ego_speed)] {
+            if !got.is_finite() {
+                return Err(PolicyError::NotFinite { what, got });
+            }
+        }
+        self.cameras.iter().try_for_each(CameraState::check)
+    }
+
+    /// [Hz] one demand of every camera, chosen by `of`.
+    pub(crate) fn demands(&self, of: impl Fn(&Demands) -> f64) -> Vec<f64> {
+        self.cameras.iter().map(|c| of(&c.demands)).collect()
+    }
+}
+
+impl CameraState<'_> {
+    fn check(&self) -> Result<(), PolicyError> {
+        let Demands {
+            zhuyi,
+            rss,
+            ttc,
+            pylot,
+            offline,
+        } = self.demands;
+        let numbers = [
+            ("rate", self.rate),
+            ("demand", zhuyi),
+            ("RSS demand", rss),
+            ("TTC demand", ttc),
+            ("Pylot demand", pylot),
+            ("offline demand", offline.unwrap_or(0.0)),
+            ("importance", self.importance),
+        ];
+        match numbers
+            .into_iter()
+            .find(|(_, got)| !(got.is_finite() && *got >= 0.0))
+        {
+            None => Ok(()),
+            Some((what, got)) => Err(PolicyError::Camera {
+                camera: self.name.to_string(),
+                what,
+                got,
+            }),
+        }
+    }
+}
+
+/// A way of sharing the budget. One object serves one run: it may remember what was.
+pub trait Policy: Send {
+    /// The name under which [`crate::policy`] makes it.
+    fn name(&self) -> &str;
+
+    /// Fills `rates`, one per camera in the order of the rig. After `Ok` every rate is finite and in [floor, 30],
+    /// and their sum is at most the budget (plus 1e-9).
+    ///
+    /// # Errors
+    /// If the situation makes no sense, or the policy has no answer to it.
+    fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError>;
+}
+
+impl std::fmt::Debug for dyn Policy + '_ {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Policy({})", self.name())
+    }
+}

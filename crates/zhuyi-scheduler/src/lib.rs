@@ -1,0 +1,70 @@
+//! The paper's use of the estimate: which camera's frames are processed how often when there is not enough for all,
+//! and a check that says when it is too little.
+//!
+//! ```text
+//!   demand per camera ──┬──▶ safety check ──▶ alarm ──▶ response: none, brake, limit functions, raise rates
+//!   (zhuyi, rss, ttc,   │                                  │
+//!    pylot, offline)    ▼                                  ▼
+//!   budget ─────────▶ policy ──▶ rates in [floor, 30], sum within the budget ──▶ cameras
+//!                       ▲                                                          │ frames
+//!                       └ sharing: cut, share the rest, raise                      ▼
+//!                                             queue ──▶ accelerator ──▶ ready times, transfers avoided
+//! ```
+//!
+//! | policy | shares by | source |
+//! |---|---|---|
+//! | [`uniform`](policies::uniform) | nothing | the fixed rates of the paper's experiments |
+//! | [`proportional`](policies::proportional) | the demand, in proportion | the paper, section on a Zhuyi-based system |
+//! | [`demand-first`](policies::demand_first) | the demand, then equal parts | our own |
+//! | [`demand-hysteresis`](policies::hysteresis) | the same, falling late | our own |
+//! | [`importance`](policies::importance) | sum of 1/l over actors | the paper, same section |
+//! | [`rss`](policies::rss) | RSS demand | Shalev-Shwartz et al., arXiv 1708.06374 |
+//! | [`ttc`](policies::ttc) | demand of time to collision | Hayward 1972 |
+//! | [`pylot`](policies::pylot) | the ego's speed | Gog et al., ICRA 2021, EuroSys 2022 (D3) |
+//! | [`edf`](policies::edf) | deadlines on the accelerator | Liu & Layland 1973 |
+//! | [`static:..`](policies::fixed) | what the user says, or [`search`] finds | Suraksha, ISSRE 2021 |
+//! | [`clairvoyant`](policies::clairvoyant) | demand with the future known | the paper's offline estimates |
+//! | [`exec:..`](policies::exec) | a program of the user's | |
+//!
+//! [`policy`] makes one by its name; [`NAMES`] lists them. A policy of one's own in Rust is a type with [`Policy`]:
+//!
+//! ```
+//! use zhuyi_scheduler::{CameraState, Demands, Policy, Situation, policy};
+//! let camera = |name, demand| CameraState {
+//!     name,
+//!     rate: 10.0,
+//!     demands: Demands::all(demand),
+//!     importance: demand,
+//! };
+//! let cameras = [camera("front_120", 8.0), camera("left", 3.0), camera("right", 1.0)];
+//! let situation = Situation { time: 0.0, budget: 24.0, ego_speed: 20.0, cameras: &cameras };
+//! let mut rates = [0.0; 3];
+//! policy("proportional")?.decide(&situation, &mut rates)?;
+//! assert_eq!(rates, [16.0, 6.0, 2.0]);
+//! policy("demand-first")?.decide(&situation, &mut rates)?;
+//! assert_eq!(rates, [12.0, 7.0, 5.0]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! What it guarantees, each with a test: after a decision every rate is finite, in [floor, 30] with floor = min(1,
+//! budget / cameras), and their sum is within the budget; the sharing rules never take when the budget grows (raising
+//! rates: where those fit it) and do not look at a camera's place in the rig; a program that hangs, dies or talks nonsense is an error and not a hang.
+//!
+//! The crate knows the nouns alone: demands are numbers to it, whoever computed them, and the truth is out of reach.
+//! Left out: what a change of rates costs, cameras of different resolution, several accelerators.
+
+pub mod chip;
+pub mod decision;
+pub mod error;
+pub mod policies;
+pub mod queue;
+pub mod safety;
+pub mod score;
+pub mod search;
+pub mod sharing;
+
+pub use chip::{Chip, Compute, Discipline};
+pub use decision::{CameraState, Demands, Policy, Situation};
+pub use error::PolicyError;
+pub use policies::{NAMES, UnknownPolicy, policy};
+pub use queue::{Accelerator, Queued};

@@ -1,0 +1,25 @@
+//! Demand first, with the deadline of Pylot, which falls with the speed of the ego.
+//!
+//! d_i is the Pylot demand of camera i [Hz]: its deadline turned into a rate (zhuyi-estimator, `rivals::pylot`);
+//! [`demand_first`](crate::sharing::demand_first) shares. Source: Gog et al., Pylot (ICRA 2021) and D3 (EuroSys 2022).
+//! Left out by the model: who is there. Pylot itself chooses among networks by its deadline, not among cameras.
+
+use crate::sharing;
+use crate::{Policy, PolicyError, Situation};
+
+/// The demand of Pylot's deadline first.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Pylot;
+
+impl Policy for Pylot {
+    fn name(&self) -> &'static str {
+        "pylot"
+    }
+
+    fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
+        situation.check(rates)?;
+        let demands = situation.demands(|d| d.pylot);
+        rates.copy_from_slice(&sharing::demand_first(&demands, situation.budget));
+        Ok(())
+    }
+}

@@ -1,0 +1,25 @@
+//! Demand first, with the demand that time to collision leads to: the braking cone of simpler systems.
+//!
+//! d_i is the TTC demand of camera i [Hz]: what is left of the time to collision above a threshold, turned into a rate
+//! (zhuyi-estimator, `rivals::ttc`); [`demand_first`](crate::sharing::demand_first) shares. Source: Hayward 1972.
+//! Left out by the measure: how hard anybody can brake.
+
+use crate::sharing;
+use crate::{Policy, PolicyError, Situation};
+
+/// The demand of TTC first.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Ttc;
+
+impl Policy for Ttc {
+    fn name(&self) -> &'static str {
+        "ttc"
+    }
+
+    fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
+        situation.check(rates)?;
+        let demands = situation.demands(|d| d.ttc);
+        rates.copy_from_slice(&sharing::demand_first(&demands, situation.budget));
+        Ok(())
+    }
+}

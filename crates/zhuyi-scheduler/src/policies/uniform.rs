@@ -1,0 +1,27 @@
+//! The same rate for every camera: what a system without any estimate does.
+//!
+//! ```text
+//! f_i = min(B/n, 30)
+//! ```
+//!
+//! B is the budget [Hz], n the number of cameras. The baseline of all comparisons. Left out: everything that is known.
+
+use crate::sharing;
+use crate::{Policy, PolicyError, Situation};
+
+/// Every camera the same.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Uniform;
+
+impl Policy for Uniform {
+    fn name(&self) -> &'static str {
+        "uniform"
+    }
+
+    fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
+        situation.check(rates)?;
+        let share = situation.budget / situation.cameras.len() as f64;
+        rates.fill(share.min(sharing::CAP));
+        Ok(())
+    }
+}

@@ -1,0 +1,160 @@
+//! The online estimate: what the ego asks of its cameras while it drives, from what it believes (paper, "Zhuyi-based AV
+//! system", post-deployment).
+//!
+//! ```text
+//!  tracks ──[predictor: several futures with probabilities]──▶ Forecasts ──[estimator]──▶ demand per camera
+//! ```
+//!
+//! Nothing of the truth enters but the ego's own localisation. l_0 is fixed at 1/30 s unless the system says otherwise:
+//! with the latency at which the camera runs now the demand feeds on itself (reading R22).
+
+use zhuyi_core::{Body, Forecast, Frenet, Road, SimTime, Track};
+use zhuyi_estimator::rivals::Rivals;
+use zhuyi_estimator::{Answer, Demand, Ego, Estimator, Future, Moment, SafetyModel, Seen, Watch};
+use zhuyi_scenario::System;
+use zhuyi_scheduler::Demands;
+
+/// The estimator on what the ego believes.
+#[derive(Debug)]
+pub struct Online<'a> {
+    system: &'a System,
+    road: &'a Road,
+    estimator: Estimator,
+    rivals: Rivals,
+    forecasts: Vec<Forecast>,
+}
+
+/// What was asked of every camera at one time, in the order of the rig.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Asked {
+    /// When.
+    pub time: SimTime,
+    /// By the paper's model.
+    pub demands: Vec<Demand>,
+    /// By every model that a policy may share by.
+    pub by_model: Vec<Demands>,
+    /// [Hz] sum of 1/l over the actors that a camera covers.
+    pub importance: Vec<f64>,
+    /// [Hz] the rate that the camera had.
+    pub rates: Vec<f64>,
+}
+
+impl<'a> Online<'a> {
+    /// Of an ego with this system on this road.
+    pub fn new(system: &'a System, road: &'a Road) -> Self {
+        Self {
+            system,
+            road,
+            estimator: Estimator::new(system.estimator.clone()),
+            rivals: Rivals::default(),
+            forecasts: Vec::new(),
+        }
+    }
+
+    /// What the ego asks for, with its cameras at `rates`.
+    pub fn ask(&mut self, time: SimTime, body: &Body, tracks: &[Track], rates: Vec<f64>) -> Asked {
+        let predictor = self.system.online.predictor;
+        self.forecasts.clear();
+        let forecasts = tracks
+            .iter()
+            .map(|track| predictor.forecast(track, self.road));
+        self.forecasts.extend(forecasts);
+        let place = |track: &Track| self.road.world_from_road(track.road);
+        let seen: Vec<Seen<'_>> = tracks
+            .iter()
+            .zip(&self.forecasts)
+            .map(|(track, forecast)| Seen {
+                pose: place(track),
+                forecast,
+            })
+            .collect();
+        let l_0 = self.system.online.current_latency;
+        let eyes = self.system.perception.eyes.iter().zip(&rates);
+        let rig: Vec<Watch<'_>> = eyes
+            .map(|(eye, hz)| Watch {
+                camera: &eye.camera,
+                current_latency: l_0.unwrap_or(1.0 / hz),
+            })
+            .collect();
+        let Frenet { s, d } = body.road;
+        let moment = Moment {
+            ego: Ego {
+                s,
+                d,
+                speed: body.speed,
+                accel: body.accel,
+                footprint: body.footprint,
+            },
+            pose: body.pose,
+            now: 0.0,
+            seen: &seen,
+            rig: &rig,
+        };
+        let mut demands = vec![self.estimator.quiet(); rig.len()];
+        let mut importance = vec![0.0; rig.len()];
+        let mut places = seen.iter();
+        self.estimator
+            .moment(&moment, &mut demands, |answer: Answer| {
+                let seen = places.next();
+                for (watch, sum) in rig.iter().zip(&mut importance) {
+                    let covers = seen.is_some_and(|seen| covers(watch, &moment, seen));
+                    if covers {
+                        *sum += answer.forecast.estimate.importance();
+                    }
+                }
+            });
+        let by = |model: &dyn SafetyModel| self.by_model(model, &moment);
+        let (rss, ttc, pylot) = (
+            by(&self.rivals.rss),
+            by(&self.rivals.ttc),
+            by(&self.rivals.pylot),
+        );
+        let by_model = (0..rig.len()).map(|camera| Demands {
+            zhuyi: demands[camera].fpr,
+            rss: rss[camera],
+            ttc: ttc[camera],
+            pylot: pylot[camera],
+            offline: None,
+        });
+        Asked {
+            time,
+            by_model: by_model.collect(),
+            demands,
+            importance,
+            rates,
+        }
+    }
+
+    /// [Hz] what another model asks of every camera: of each actor the future that is most likely.
+    fn by_model(&self, model: &dyn SafetyModel, moment: &Moment<'_>) -> Vec<f64> {
+        let of = |watch: &Watch<'_>| {
+            let mut most = self.estimator.quiet().fpr;
+            for seen in moment
+                .seen
+                .iter()
+                .filter(|seen| covers(watch, moment, seen))
+            {
+                let likely = |a: &&(f64, _), b: &&(f64, _)| a.0.total_cmp(&b.0);
+                if let Some((_, trajectory)) = seen.forecast.trajectories.iter().max_by(likely) {
+                    let future = Future::new(trajectory, moment.now);
+                    let footprint = seen.forecast.footprint;
+                    let l_0 = watch.current_latency;
+                    let answer =
+                        self.estimator
+                            .by_model(model, &moment.ego, footprint, &future, l_0);
+                    if answer.importance() > most {
+                        most = answer.importance();
+                    }
+                }
+            }
+            most
+        };
+        moment.rig.iter().map(of).collect()
+    }
+}
+
+fn covers(watch: &Watch<'_>, moment: &Moment<'_>, seen: &Seen<'_>) -> bool {
+    watch
+        .camera
+        .covers_box(moment.pose, seen.forecast.footprint, seen.pose)
+}
