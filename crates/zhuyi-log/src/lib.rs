@@ -38,6 +38,7 @@
 //! ```
 #![doc = include_str!("recordings.md")]
 
+pub mod consistency;
 pub mod evaluation;
 pub mod files;
 pub mod invalid;
@@ -47,6 +48,7 @@ pub mod reading;
 pub mod replay;
 pub mod summary;
 
+pub use consistency::{Consistency, Disagreement};
 pub use evaluation::{Answer, Answers, Evaluation, evaluate};
 pub use invalid::{Invalid, Rule, Violation};
 pub use log::{Log, Row, Step, Vehicle};

@@ -11,7 +11,7 @@ use zhuyi_estimator::criticality::Limits;
 use zhuyi_estimator::{Criterion, Estimator, Solver, State, Watch};
 use zhuyi_log::files::{Rows, actors_csv, cameras_csv, criticality_csv};
 use zhuyi_log::summary::STATES;
-use zhuyi_log::{Evaluation, Log, Replay, Summary, evaluate};
+use zhuyi_log::{Consistency, Evaluation, Log, Replay, Summary, evaluate};
 use zhuyi_scenario::{Kind, Setting, System};
 
 use super::Task;
@@ -110,6 +110,8 @@ enum Egos {
 struct Evaluated {
     evaluation: Evaluation,
     summary: Summary,
+    /// Whether its record can be meant as it stands.
+    consistency: Consistency,
     /// [m] length of its recorded path, where that is the frame.
     path_length: Option<f64>,
 }
@@ -339,6 +341,7 @@ fn evaluated(
     let evaluation = evaluate(&replay, estimator, rig);
     Evaluated {
         summary: Summary::new(log, &evaluation, rig, horizon),
+        consistency: Consistency::new(log, ego),
         path_length: replay.path_length(),
         evaluation,
     }
