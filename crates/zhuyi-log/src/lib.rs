@@ -49,7 +49,7 @@ pub mod replay;
 pub mod summary;
 
 pub use consistency::{Consistency, Disagreement};
-pub use evaluation::{Answer, Answers, Evaluation, evaluate};
+pub use evaluation::{Answer, Answers, Evaluation, evaluate, evaluate_with_criticality};
 pub use invalid::{Invalid, Rule, Violation};
 pub use log::{Log, Row, Step, Vehicle};
 pub use replay::{Actor, Moment, Replay};
