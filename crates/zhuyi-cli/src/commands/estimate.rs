@@ -129,7 +129,7 @@ impl Arguments {
             system: self.rig.clone(),
             settings: self.settings.clone(),
         };
-        let read = Inputs::read(self.road.as_slice(), &setup, &mut problems);
+        let read = Inputs::read_from("--road", self.road.as_slice(), &setup, &mut problems);
         self.refuse_settings_of_no_road(&mut problems);
         let rates = Rates::read(self.fpr.as_deref(), &mut problems);
         let rates = rates.zip(read.system.as_ref());

@@ -414,6 +414,8 @@ error: no row has the id of the ego, `ego`
   |
 1 | time_s,id,x_m,y_m,heading_rad,speed_mps,accel_mps2,length_m,width_m
   |        ^^ known: a, b
+  |
+  = help: name one with --ego, or take all with --all-egos
 ",
         ),
         (
@@ -442,6 +444,27 @@ error: a row has as many fields as there are columns, 9, got 4
     assert!(
         ran.err
             .starts_with("error: the column `y_m` is missing\n --> t.csv:1:1\n"),
+        "{}",
+        ran.err
+    );
+}
+
+#[test]
+fn hand_a_bad_road_and_many_bad_rows() {
+    let ran = refused(&trace(), "--road nope");
+    assert!(
+        ran.err
+            .starts_with("error: unknown scenario `nope`\n --> --road:1:1\n"),
+        "{}",
+        ran.err
+    );
+    let rows: String = (0..1000)
+        .map(|time| format!("{time},ego,0,0,0,fast,0,4,2\n"))
+        .collect();
+    let ran = refused(&format!("{HEADER}{rows}"), "");
+    assert_eq!(ran.err.matches("error: `speed_mps` must be").count(), 20);
+    assert!(
+        ran.err.contains("\n\nand 980 more like this\n"),
         "{}",
         ran.err
     );
