@@ -151,8 +151,8 @@ impl Violation {
     /// ```
     /// use zhuyi_log::Log;
     /// let header = "time_s,id,x_m,y_m,heading_rad,speed_mps,accel_mps2,length_m,width_m\n";
-    /// let rows: String = (0..2020).map(|time| format!("{time},a,0,0,0,fast,0,4,2\n")).collect();
-    /// let invalid = Log::read(&format!("{header}{rows}"), Some("a")).unwrap_err();
+    /// let rows: Vec<String> = (0..2020).map(|time| format!("{time},a,0,0,0,fast,0,4,2\n")).collect();
+    /// let invalid = Log::read(&(header.to_string() + &rows.concat()), Some("a")).unwrap_err();
     /// let last = invalid.violations().last().unwrap();
     /// assert_eq!((last.line, last.rest().as_deref()), (21, Some("and 2,000 more like this")));
     /// ```

@@ -9,7 +9,7 @@
 //!
 //! Any trace will do: other vehicles than ours, any time step, actors that appear and vanish. Any vehicle can be the
 //! ego. What is asked of whom is the estimator's business; this crate makes its questions from rows of x, y, heading
-//! and speed. Other models than the estimator start from the same [`Moment`]s.
+//! and speed. What wrong units give away is in [`consistency`]. Other models than the estimator start from the same [`Moment`]s.
 //!
 //! ```
 //! use zhuyi_core::Camera;

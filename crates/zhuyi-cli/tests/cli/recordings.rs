@@ -1,5 +1,6 @@
 //! `estimate`: a trace of a run gives what the run told, any vehicle can be the ego, bad rows are told.
 
+use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
@@ -272,7 +273,7 @@ fn hand_wrong_units_are_noted() {
         for step in 0..5 {
             for (id, ahead, speed) in [("ego", f64::from(step), speed), ("wreck", 60.0, 0.0)] {
                 let (x, y) = if along_y { (0.0, ahead) } else { (ahead, 0.0) };
-                text += &format!("0.{step},{id},{x},{y},{heading},{speed},0,4,2\n");
+                writeln!(text, "0.{step},{id},{x},{y},{heading},{speed},0,4,2").unwrap();
             }
         }
         bench.write("t.csv", &text);
@@ -458,10 +459,10 @@ fn hand_a_bad_road_and_many_bad_rows() {
         "{}",
         ran.err
     );
-    let rows: String = (0..1000)
+    let rows: Vec<String> = (0..1000)
         .map(|time| format!("{time},ego,0,0,0,fast,0,4,2\n"))
         .collect();
-    let ran = refused(&format!("{HEADER}{rows}"), "");
+    let ran = refused(&format!("{HEADER}{}", rows.concat()), "");
     assert_eq!(ran.err.matches("error: `speed_mps` must be").count(), 20);
     assert!(
         ran.err.contains("\n\nand 980 more like this\n"),
