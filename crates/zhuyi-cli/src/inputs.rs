@@ -38,10 +38,20 @@ pub struct Inputs {
 impl Inputs {
     /// Reads scenarios by name or path. Notes all that is wrong with any of them, the system and the settings.
     pub fn read(typed: &[String], setup: &Setup, problems: &mut Problems) -> Self {
+        Self::read_from("SCENARIO", typed, setup, problems)
+    }
+
+    /// The same for scenarios that another argument names.
+    pub fn read_from(
+        argument: &'static str,
+        typed: &[String],
+        setup: &Setup,
+        problems: &mut Problems,
+    ) -> Self {
         let settings = setup.settings(problems);
         let sources: Vec<Source> = typed
             .iter()
-            .filter_map(|typed| scenario_source(typed, problems))
+            .filter_map(|typed| scenario_source(Argument::new(argument, typed), problems))
             .collect();
         let Some(of_system) = setup.system_source(problems) else {
             return Self {
@@ -55,7 +65,7 @@ impl Inputs {
             .filter_map(|source| problems.take(load(source, &of_system, &settings)))
             .map(|(scenario, _)| scenario)
             .collect();
-        refuse_namesakes(typed, &scenarios, problems);
+        refuse_namesakes(argument, typed, &scenarios, problems);
         Self {
             scenarios: (scenarios.len() == typed.len()).then_some(scenarios),
             system,
@@ -64,13 +74,18 @@ impl Inputs {
 }
 
 /// Two scenarios of one name would share their draws and their rows.
-fn refuse_namesakes(typed: &[String], scenarios: &[Scenario], problems: &mut Problems) {
+fn refuse_namesakes(
+    argument: &'static str,
+    typed: &[String],
+    scenarios: &[Scenario],
+    problems: &mut Problems,
+) {
     for (index, scenario) in scenarios.iter().enumerate() {
         if scenarios[..index]
             .iter()
             .any(|earlier| earlier.name == scenario.name)
         {
-            let argument = Argument::new("SCENARIO", &typed[index]);
+            let argument = Argument::new(argument, &typed[index]);
             let fault = Fault::Twice {
                 what: "scenario",
                 name: scenario.name.clone(),
@@ -109,21 +124,22 @@ pub fn default_system() -> Source {
 }
 
 /// A scenario by name or path.
-pub fn scenario_source(typed: &str, problems: &mut Problems) -> Option<Source> {
+fn scenario_source(argument: Argument<'_>, problems: &mut Problems) -> Option<Source> {
     let known: Vec<&str> = embedded::names().collect();
-    source(typed, &known, problems)
+    source(argument, &known, problems)
 }
 
 /// A scenario or system by name or path.
-pub fn any_source(typed: &str, problems: &mut Problems) -> Option<Source> {
-    if typed == DEFAULT_SYSTEM {
+pub fn any_source(argument: Argument<'_>, problems: &mut Problems) -> Option<Source> {
+    if argument.at(&argument.all()) == DEFAULT_SYSTEM {
         return Some(default_system());
     }
     let known: Vec<&str> = embedded::names().chain([DEFAULT_SYSTEM]).collect();
-    source(typed, &known, problems)
+    source(argument, &known, problems)
 }
 
-fn source(typed: &str, known: &[&str], problems: &mut Problems) -> Option<Source> {
+fn source(argument: Argument<'_>, known: &[&str], problems: &mut Problems) -> Option<Source> {
+    let typed = argument.at(&argument.all());
     if let Some(text) = embedded::scenario(typed) {
         return Some(Source::new(format!("{typed}.ron"), text));
     }
@@ -139,7 +155,6 @@ fn source(typed: &str, known: &[&str], problems: &mut Problems) -> Option<Source
         got: typed.to_string(),
         hint,
     };
-    let argument = Argument::new("SCENARIO", typed);
     argument.refuse(&argument.all(), fault, problems);
     None
 }

@@ -92,7 +92,16 @@ fn trace(path: &str, violation: &zhuyi_log::Violation, renderer: &Renderer) -> S
         .line_start(violation.line)
         .path(path)
         .annotation(caret);
-    renderer.render(&[Level::ERROR.primary_title(&title).element(snippet)])
+    let mut drawn = Level::ERROR.primary_title(&title).element(snippet);
+    if let zhuyi_log::Rule::NoEgo { .. } = violation.rule {
+        let help = "name one with --ego, or take all with --all-egos";
+        drawn = drawn.element(Level::HELP.message(help));
+    }
+    let drawn = renderer.render(&[drawn]);
+    match violation.rest() {
+        Some(rest) => format!("{drawn}\n\n{rest}"),
+        None => drawn,
+    }
 }
 
 impl From<Misreading> for Problem {

@@ -5,9 +5,13 @@
 //! recorded centre and heading; occlusion is ignored. l_0 is that camera's own, so an actor in view of several cameras
 //! may have several answers: the most demanding one is told. Actors that no camera covers are told too, at the l_0 of
 //! the fastest camera, and ask nothing of any camera.
+//!
+//! What others call critical is computed on the way where it is wanted: the future of an actor behind the ego is made
+//! for one t_0, and not twice.
 
 use zhuyi_core::ActorId;
-use zhuyi_estimator::{Demand, Estimate, Estimator, Watch};
+use zhuyi_estimator::criticality::{Criticality, Limits, criticality};
+use zhuyi_estimator::{Demand, Estimate, Estimator, Future, Watch};
 
 use crate::replay::{Actor, Moment, Replay};
 
@@ -42,13 +46,34 @@ pub struct Answer {
     pub estimate: Estimate,
     /// Places in the rig of the cameras that cover it.
     pub cameras: Vec<usize>,
+    /// What others call critical, where it was asked for.
+    pub criticality: Option<Criticality>,
 }
 
 /// Evaluates all steps of a replay for a rig, which has a camera.
 pub fn evaluate(replay: &Replay<'_>, estimator: &Estimator, rig: &[Watch<'_>]) -> Evaluation {
+    all_steps(replay, estimator, rig, None)
+}
+
+/// The same with every actor's criticality.
+pub fn evaluate_with_criticality(
+    replay: &Replay<'_>,
+    estimator: &Estimator,
+    rig: &[Watch<'_>],
+    limits: &Limits,
+) -> Evaluation {
+    all_steps(replay, estimator, rig, Some(limits))
+}
+
+fn all_steps(
+    replay: &Replay<'_>,
+    estimator: &Estimator,
+    rig: &[Watch<'_>],
+    limits: Option<&Limits>,
+) -> Evaluation {
     let steps: Vec<Answers> = replay
         .moments()
-        .map(|moment| answers(&moment, estimator, rig))
+        .map(|moment| answers(&moment, estimator, rig, limits))
         .collect();
     Evaluation {
         ego: replay.ego(),
@@ -57,7 +82,12 @@ pub fn evaluate(replay: &Replay<'_>, estimator: &Estimator, rig: &[Watch<'_>]) -
     }
 }
 
-fn answers(moment: &Moment<'_>, estimator: &Estimator, rig: &[Watch<'_>]) -> Answers {
+fn answers(
+    moment: &Moment<'_>,
+    estimator: &Estimator,
+    rig: &[Watch<'_>],
+    limits: Option<&Limits>,
+) -> Answers {
     let mut actors = Vec::with_capacity(moment.actors.len());
     // Per actor the answers at the current latencies of its cameras, for the demands.
     let mut all: Vec<(ActorId, f64, Estimate)> = Vec::new();
@@ -73,11 +103,14 @@ fn answers(moment: &Moment<'_>, estimator: &Estimator, rig: &[Watch<'_>]) -> Ans
             }
         }
         let own = all[from..].iter().map(|(_, _, estimate)| *estimate);
-        if let Some(estimate) = own.reduce(more_demanding) {
+        if let Some(estimate) = own.min_by(Estimate::by_importance) {
+            let future = Future::new(actor.future.trajectory(), moment.time);
             actors.push(Answer {
                 actor: actor.id,
                 estimate,
                 cameras,
+                criticality: limits
+                    .map(|limits| criticality(&moment.ego, actor.body.footprint, &future, limits)),
             });
         }
     }
@@ -122,13 +155,4 @@ fn estimate(
         moment.time,
         current_latency,
     )
-}
-
-/// The answer with the smaller latency; one with none at all is the most demanding.
-fn more_demanding(one: Estimate, two: Estimate) -> Estimate {
-    match (one.latency, two.latency) {
-        (Some(first), Some(second)) if second < first => two,
-        (Some(_), None) => two,
-        _ => one,
-    }
 }

@@ -29,14 +29,27 @@
 //! |---|---|
 //! | `time_s`, `actor` | as above |
 //! | `ttc_s`, `ttc_2d_s`, `thw_s`, `drac_mps2`, `pet_s`, `ttb_s`, `btn`, `impact_mps` | what others call critical; meaning, direction and source in [`zhuyi_estimator::criticality`]; empty where undefined |
+//!
+//! `egos.csv`, one row per vehicle as the ego:
+//!
+//! | column | meaning |
+//! |---|---|
+//! | `ego` | its id |
+//! | `steps` | steps at which it is there |
+//! | `actors` | other vehicles that are there at one of them |
+//! | `none`, `tolerable`, `beyond_grid`, `unavoidable`, `alongside` | answers of that state, one per step and actor |
+//! | `fpr_hz`, `camera` | the highest demand on an analysed camera, and which |
+//! | `time_s`, `actor` | the first step at which somebody asks for so much, and who; with `camera` empty where nobody ever does |
+//! | `extrapolated_share` | share of all actors' horizons that lies behind their last rows; empty without actors |
 
 use csv::Writer;
-use zhuyi_estimator::criticality::{Criticality, Limits, criticality};
-use zhuyi_estimator::{Binding, Future, Watch};
+use zhuyi_core::ActorId;
+use zhuyi_estimator::criticality::Criticality;
+use zhuyi_estimator::{Binding, State, Watch};
 
 use crate::evaluation::{Answer, Evaluation};
 use crate::log::Log;
-use crate::replay::Replay;
+use crate::summary::{STATES, Summary};
 
 /// The text of `actors.csv`.
 pub fn actors_csv(log: &Log, evaluation: &Evaluation, rig: &[Watch<'_>]) -> String {
@@ -57,6 +70,7 @@ pub fn actors_csv(log: &Log, evaluation: &Evaluation, rig: &[Watch<'_>]) -> Stri
                 actor,
                 estimate,
                 cameras,
+                ..
             } = answer;
             let names = cameras.iter().map(|place| rig[*place].camera.name.as_str());
             rows.add(&[
@@ -92,21 +106,56 @@ pub fn cameras_csv(log: &Log, evaluation: &Evaluation, rig: &[Watch<'_>]) -> Str
     rows.text()
 }
 
-/// The text of `criticality.csv`: the metrics of [`zhuyi_estimator::criticality`] for every actor of every step.
-pub fn criticality_csv(replay: &Replay<'_>, limits: &Limits) -> String {
+/// The text of `criticality.csv`: the metrics of [`zhuyi_estimator::criticality`] for every actor of every step, of an
+/// evaluation that has them.
+pub fn criticality_csv(log: &Log, evaluation: &Evaluation) -> String {
     let header = ["time_s", "actor"].into_iter().chain(Criticality::COLUMNS);
     let mut rows = Rows::new(&header.collect::<Vec<_>>());
-    let log = replay.log();
-    for moment in replay.moments() {
-        let time = &log.steps()[moment.step].text;
-        for actor in &moment.actors {
-            let future = Future::new(actor.future.trajectory(), moment.time);
-            let found = criticality(&moment.ego, actor.body.footprint, &future, limits);
+    for answers in &evaluation.steps {
+        let time = &log.steps()[answers.step].text;
+        for answer in &answers.actors {
+            let Some(found) = &answer.criticality else {
+                continue;
+            };
             let numbers = found.values().map(decimals);
-            let names = [time.as_str(), &log.vehicle(actor.id).id];
+            let names = [time.as_str(), &log.vehicle(answer.actor).id];
             let fields = names.into_iter().chain(numbers.iter().map(String::as_str));
             rows.add(&fields.collect::<Vec<_>>());
         }
+    }
+    rows.text()
+}
+
+/// The text of `egos.csv`.
+pub fn egos_csv<'a>(
+    log: &Log,
+    egos: impl IntoIterator<Item = (ActorId, &'a Summary)>,
+    rig: &[Watch<'_>],
+) -> String {
+    let header = ["ego", "steps", "actors"].into_iter();
+    let header = header.chain(STATES.map(State::name));
+    let header = header.chain(["fpr_hz", "camera", "time_s", "actor", "extrapolated_share"]);
+    let mut rows = Rows::new(&header.collect::<Vec<_>>());
+    for (ego, summary) in egos {
+        let peak = summary.highest(rig);
+        let asked = peak.and_then(|(camera, peak)| Some((camera, peak.asked?)));
+        let mut fields = vec![
+            log.vehicle(ego).id.clone(),
+            summary.steps.to_string(),
+            summary.actors.to_string(),
+        ];
+        fields.extend(summary.states.iter().map(ToString::to_string));
+        fields.push(decimals(peak.map(|(_, peak)| peak.fpr)));
+        fields.extend(match asked {
+            Some((camera, (step, actor))) => [
+                rig[camera].camera.name.clone(),
+                log.steps()[step].text.clone(),
+                log.vehicle(actor).id.clone(),
+            ],
+            None => Default::default(),
+        });
+        fields.push(decimals(summary.extrapolated));
+        rows.add(&fields.iter().map(String::as_str).collect::<Vec<_>>());
     }
     rows.text()
 }
@@ -116,25 +165,25 @@ fn decimals(number: Option<f64>) -> String {
 }
 
 /// Rows of fields; those with commas or quotes are quoted.
-pub struct Rows(Writer<Vec<u8>>);
+struct Rows(Writer<Vec<u8>>);
 
 impl Rows {
     /// A file with this header.
-    pub fn new(header: &[&str]) -> Self {
+    fn new(header: &[&str]) -> Self {
         let mut rows = Self(Writer::from_writer(Vec::new()));
         rows.add(header);
         rows
     }
 
     /// Adds a row, which has as many fields as the header.
-    pub fn add(&mut self, fields: &[&str]) {
+    fn add(&mut self, fields: &[&str]) {
         self.0
             .write_record(fields)
             .unwrap_or_else(|error| unreachable!("rows of one length go into memory: {error}"));
     }
 
     /// All of it.
-    pub fn text(self) -> String {
+    fn text(self) -> String {
         let bytes = self
             .0
             .into_inner()

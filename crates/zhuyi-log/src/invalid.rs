@@ -20,6 +20,8 @@ pub struct Violation {
     pub place: Range<usize>,
     /// What is broken.
     pub rule: Rule,
+    /// How often the same is broken further on, which is not told.
+    pub more: usize,
 }
 
 /// A rule for traces.
@@ -31,6 +33,9 @@ pub enum Rule {
     /// Names and nothing below them.
     #[error("a trace needs at least one row below the column names")]
     NoRows,
+    /// No column of ours at all.
+    #[error("none of the columns of a trace is there")]
+    NoColumn,
     /// A column that is not there.
     #[error("the column `{0}` is missing")]
     MissingColumn(&'static str),
@@ -106,10 +111,16 @@ pub enum Rule {
         /// Those that occur.
         known: Vec<String>,
     },
+    /// A field that begins with a quote and does not end with one where it should.
+    #[error("a quote is not closed")]
+    OpenQuote,
     /// A record that is no CSV.
     #[error("not valid CSV: {0}")]
     Csv(String),
 }
+
+/// Places told at most of one broken rule.
+pub const MOST: usize = 20;
 
 /// Ids told at most, where one is not found.
 const TOLD: usize = 12;
@@ -126,6 +137,8 @@ impl Rule {
                     more => format!("known: {told} and {more} more"),
                 })
             }
+            Self::NoColumn => Some("is it separated by commas?".to_string()),
+            Self::OpenQuote => Some("opened here".to_string()),
             Self::Backwards { .. } => Some("rows stand in the order of time".to_string()),
             _ => None,
         }
@@ -133,6 +146,20 @@ impl Rule {
 }
 
 impl Violation {
+    /// What stands below, where more of the same is not told.
+    ///
+    /// ```
+    /// use zhuyi_log::Log;
+    /// let header = "time_s,id,x_m,y_m,heading_rad,speed_mps,accel_mps2,length_m,width_m\n";
+    /// let rows: Vec<String> = (0..2020).map(|time| format!("{time},a,0,0,0,fast,0,4,2\n")).collect();
+    /// let invalid = Log::read(&(header.to_string() + &rows.concat()), Some("a")).unwrap_err();
+    /// let last = invalid.violations().last().unwrap();
+    /// assert_eq!((last.line, last.rest().as_deref()), (21, Some("and 2,000 more like this")));
+    /// ```
+    pub fn rest(&self) -> Option<String> {
+        (self.more > 0).then(|| format!("and {} more like this", grouped(self.more)))
+    }
+
     /// Column of the place, from 1, in characters.
     pub fn column(&self) -> usize {
         let before = self.text.get(..self.place.start).unwrap_or(&self.text);
@@ -146,25 +173,41 @@ impl Invalid {
         Self { violations }
     }
 
-    /// Every violation.
+    /// Every violation, but of one rule at most [`MOST`].
     pub fn violations(&self) -> &[Violation] {
         &self.violations
     }
 }
 
-/// One line per violation, `line:column: rule`.
+/// One line per violation, `line:column: rule`, and one more where more of the same is not told.
 impl fmt::Display for Invalid {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         for (index, violation) in self.violations.iter().enumerate() {
             let end = if index == 0 { "" } else { "\n" };
             let (line, column) = (violation.line, violation.column());
             write!(f, "{end}{line}:{column}: {}", violation.rule)?;
+            if let Some(rest) = violation.rest() {
+                write!(f, "\n{rest}")?;
+            }
         }
         Ok(())
     }
 }
 
 impl std::error::Error for Invalid {}
+
+/// With commas between thousands.
+fn grouped(number: usize) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (place, digit) in digits.chars().enumerate() {
+        if place > 0 && (digits.len() - place).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
 
 fn quoted(text: &str) -> String {
     if text.is_empty() {

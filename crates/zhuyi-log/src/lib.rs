@@ -9,7 +9,7 @@
 //!
 //! Any trace will do: other vehicles than ours, any time step, actors that appear and vanish. Any vehicle can be the
 //! ego. What is asked of whom is the estimator's business; this crate makes its questions from rows of x, y, heading
-//! and speed. Other models than the estimator start from the same [`Moment`]s.
+//! and speed. What wrong units give away is in [`consistency`]. Other models than the estimator start from the same [`Moment`]s.
 //!
 //! ```
 //! use zhuyi_core::Camera;
@@ -38,6 +38,7 @@
 //! ```
 #![doc = include_str!("recordings.md")]
 
+pub mod consistency;
 pub mod evaluation;
 pub mod files;
 pub mod invalid;
@@ -47,7 +48,8 @@ pub mod reading;
 pub mod replay;
 pub mod summary;
 
-pub use evaluation::{Answer, Answers, Evaluation, evaluate};
+pub use consistency::{Consistency, Disagreement};
+pub use evaluation::{Answer, Answers, Evaluation, evaluate, evaluate_with_criticality};
 pub use invalid::{Invalid, Rule, Violation};
 pub use log::{Log, Row, Step, Vehicle};
 pub use replay::{Actor, Moment, Replay};

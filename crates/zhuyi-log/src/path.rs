@@ -21,7 +21,9 @@
 //! - **The ego itself** is at d = 0 of the path from t_0 on, by definition.
 //!
 //! One list of positions serves all t_0 of a log: s counts along it from the first row. The search is exact: from a
-//! point of the path at distance a, nothing nearer than b comes within a - b of path, so so much is passed over.
+//! point of the path at distance a, nothing nearer than b comes within a - b of path, so so much is passed over. And
+//! where all of the path is ahead of the ego, what is further behind the nearest of it than beside it has its foot
+//! straight back.
 
 use zhuyi_core::{Point, Pose};
 
@@ -35,8 +37,8 @@ const ON_PATH: f64 = 1e-6;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Path {
     vertices: Vec<Vertex>,
-    /// Where it ends and goes straight on.
-    end: Pose,
+    /// Where it ends and goes straight on, and the direction there.
+    end: (Point, (f64, f64)),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,14 +69,39 @@ impl Foot {
     }
 }
 
-/// A straight path through a pose, of which `s` is given.
-pub(crate) fn straight(pose: Pose, s: f64, point: Point) -> Foot {
-    let (ahead, left) = pose.local(point);
-    let (sin, cos) = pose.heading.sin_cos();
-    Foot {
-        s: s + ahead,
-        d: left,
-        direction: (cos, sin),
+/// A straight path through a point, of which `s` is given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Straight {
+    point: Point,
+    s: f64,
+    direction: (f64, f64),
+}
+
+impl Straight {
+    /// Along the heading of a pose.
+    pub fn through(pose: Pose, s: f64) -> Self {
+        let (sin, cos) = pose.heading.sin_cos();
+        Self {
+            point: pose.point(),
+            s,
+            direction: (cos, sin),
+        }
+    }
+
+    /// Of a point how far it is ahead of the one that the path goes through, and how far to the left.
+    fn local(&self, point: Point) -> (f64, f64) {
+        let (dx, dy) = (point.x - self.point.x, point.y - self.point.y);
+        let (cos, sin) = self.direction;
+        (dx * cos + dy * sin, dy * cos - dx * sin)
+    }
+
+    pub fn foot(&self, point: Point) -> Foot {
+        let (ahead, left) = self.local(point);
+        Foot {
+            s: self.s + ahead,
+            d: left,
+            direction: self.direction,
+        }
     }
 }
 
@@ -97,9 +124,9 @@ impl Path {
             }
             end = Some(pose.heading);
         }
-        let last = vertices.last()?.point;
+        let (sin, cos) = f64::sin_cos(end?);
         Some(Self {
-            end: Pose::new(last.x, last.y, end?),
+            end: (vertices.last()?.point, (cos, sin)),
             vertices,
         })
     }
@@ -115,12 +142,23 @@ impl Path {
         let far = |vertex: &Vertex| distance(vertex.point, pose.point()) >= LEAST;
         let next = later + self.vertices.get(later..)?.iter().position(far)?;
         let vertex = self.vertices[next];
+        let start = Straight::through(pose, vertex.s - distance(vertex.point, pose.point()));
         Some(Ahead {
             path: self,
-            start: pose,
-            s: vertex.s - distance(vertex.point, pose.point()),
+            clear: self.clear(&start, next),
+            start,
             next,
         })
+    }
+
+    /// [m] ahead of where it starts all of it is at least so far, where it does not lead back at its end.
+    fn clear(&self, start: &Straight, next: usize) -> Option<f64> {
+        let ((x, y), (ahead_x, ahead_y)) = (self.end.1, start.direction);
+        let later = self.vertices[next..].iter();
+        let least = later.fold(0.0, |least: f64, vertex| {
+            least.min(start.local(vertex.point).0)
+        });
+        (x * ahead_x + y * ahead_y >= 0.0).then_some(least)
     }
 }
 
@@ -128,10 +166,12 @@ impl Path {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ahead<'a> {
     path: &'a Path,
-    start: Pose,
-    s: f64,
+    /// What comes straight to where the ego is.
+    start: Straight,
     /// The first vertex ahead.
     next: usize,
+    /// [m] no point of the path is less far ahead of the ego, as its heading at t_0 has it; none where its end leads back.
+    clear: Option<f64>,
 }
 
 /// A foot and how far it is.
@@ -144,7 +184,7 @@ struct Nearest {
 impl Ahead<'_> {
     /// [m] where it begins, which is where the ego is.
     pub fn s(&self) -> f64 {
-        self.s
+        self.start.s
     }
 
     /// [m] from here on it is the path of every earlier t_0 too.
@@ -154,13 +194,19 @@ impl Ahead<'_> {
 
     /// The foot of a point. A foot that is expected somewhere near `hint` makes the search short.
     pub fn foot(&self, point: Point, hint: Option<f64>) -> Foot {
+        let back = self.behind(point);
+        if let (Some(back), Some(clear)) = (&back, self.clear)
+            && self.start.local(point).0 + back.distance + ROUNDING < clear
+        {
+            return back.foot;
+        }
         let first = leg(
-            self.start.point(),
+            self.start.point,
             self.path.vertices[self.next].point,
-            self.s,
+            self.start.s,
             point,
         );
-        match self.behind(point) {
+        match back {
             Some(back) if back.distance <= first.distance => self.nearer(point, back, hint),
             _ => self.nearer(point, first, hint),
         }
@@ -168,8 +214,8 @@ impl Ahead<'_> {
 
     /// The foot of a point that lies behind the ego at t_0 on the line that comes to it.
     fn behind(&self, point: Point) -> Option<Nearest> {
-        let foot = straight(self.start, self.s, point);
-        (foot.s < self.s).then_some(Nearest {
+        let foot = self.start.foot(point);
+        (foot.s < self.start.s).then_some(Nearest {
             foot,
             distance: foot.d.abs(),
         })
@@ -221,9 +267,8 @@ impl Ahead<'_> {
 
     /// What goes straight on behind the last vertex.
     fn beyond(&self, point: Point) -> Nearest {
-        let (end, s) = (self.path.end, self.path.length());
-        let (sin, cos) = end.heading.sin_cos();
-        seen(end.point(), (cos, sin), f64::INFINITY, s, point)
+        let ((end, direction), s) = (self.path.end, self.path.length());
+        seen(end, direction, f64::INFINITY, s, point)
     }
 
     fn leg_at(&self, s: f64, point: Point) -> Nearest {

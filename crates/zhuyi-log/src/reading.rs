@@ -10,15 +10,17 @@
 //!
 //! These are the columns of `zhuyi run --trace`. They may stand in any order; others, such as `s_m`, `d_m`, `lane` or
 //! `kind`, are passed over. Rows with the same time are one step. Fields may be quoted, and blanks around them do not
-//! count. A broken row keeps no other from being read.
+//! count. A broken row keeps no other from being read; of one broken rule only the first places are told and the rest
+//! counted.
 
 use std::collections::BTreeMap;
+use std::mem::{Discriminant, discriminant};
 use std::ops::Range;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 use zhuyi_core::{Footprint, Pose};
 
-use crate::invalid::{Invalid, Rule, Violation};
+use crate::invalid::{Invalid, MOST, Rule, Violation};
 use crate::log::{Log, Row, Step, Vehicle};
 
 /// The columns that are read.
@@ -61,7 +63,7 @@ impl Log {
     /// ```
     ///
     /// # Errors
-    /// Everything that is wrong with it.
+    /// Everything that is wrong with it, the first places of each broken rule.
     pub fn read(text: &str, ego: Option<&str>) -> Result<Self, Invalid> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut reading = Reading::default();
@@ -123,7 +125,24 @@ impl<'a> Raw<'a> {
             text: self.text.to_string(),
             place,
             rule,
+            more: 0,
         }
+    }
+
+    /// Where a quote opens a field that does not end on the line.
+    fn open_quote(&self) -> Option<usize> {
+        let (mut open, mut begins) = (None, true);
+        for (at, byte) in self.text.bytes().enumerate() {
+            match (byte, open) {
+                (b'"', None) if begins => open = Some(at),
+                // A doubled quote closes the field and opens it again.
+                (b'"', Some(_)) => (open, begins) = (None, true),
+                (b',', None) => begins = true,
+                (_, None) if !byte.is_ascii_whitespace() => begins = false,
+                _ => {}
+            }
+        }
+        open
     }
 }
 
@@ -137,6 +156,8 @@ struct Reading {
     /// The vehicles at the newest step and the lines of their rows.
     here: BTreeMap<usize, usize>,
     violations: Vec<Violation>,
+    /// Per broken rule how often it is, and the place of the newest one that is told.
+    broken: Vec<(Discriminant<Rule>, usize, usize)>,
 }
 
 impl Reading {
@@ -149,6 +170,7 @@ impl Reading {
         let mut record = StringRecord::new();
         let mut columns: Option<(Raw<'_>, [Option<usize>; COLUMNS.len()], usize)> = None;
         let mut rows = 0;
+        let unpaired = text.matches('"').count() % 2 == 1;
         loop {
             let position = reader.position().clone();
             let raw = Raw::new(text, position.byte() as usize, position.line() as usize);
@@ -160,8 +182,17 @@ impl Reading {
                     break;
                 }
             }
+            let to_the_end = reader.position().byte() as usize >= text.len();
+            if let (Some(quote), true, true) = (raw.open_quote(), to_the_end, unpaired) {
+                self.refuse(&raw, quote..quote + 1, Rule::OpenQuote);
+                return;
+            }
             match &columns {
                 None => {
+                    if !record.iter().any(|name| COLUMNS.contains(&name)) {
+                        self.refuse(&raw, raw.all(), Rule::NoColumn);
+                        return;
+                    }
                     let found = self.header(&raw, &record);
                     columns = Some((raw, found, record.len()));
                 }
@@ -189,7 +220,19 @@ impl Reading {
     }
 
     fn refuse(&mut self, raw: &Raw<'_>, place: Range<usize>, rule: Rule) {
-        self.violations.push(raw.violation(place, rule));
+        let kind = discriminant(&rule);
+        let known = self.broken.iter_mut().find(|(known, ..)| *known == kind);
+        match known {
+            Some((_, count, newest)) if *count >= MOST => self.violations[*newest].more += 1,
+            Some((_, count, newest)) => {
+                (*count, *newest) = (*count + 1, self.violations.len());
+                self.violations.push(raw.violation(place, rule));
+            }
+            None => {
+                self.broken.push((kind, 1, self.violations.len()));
+                self.violations.push(raw.violation(place, rule));
+            }
+        }
     }
 
     /// Which field holds which column.
@@ -222,13 +265,22 @@ impl Reading {
                 raw.place(width).start..raw.text.len()
             };
             let (expected, got) = (width, record.len());
-            self.refuse(raw, place, Rule::Fields { expected, got });
+            match raw.open_quote() {
+                Some(quote) => self.refuse(raw, quote..quote + 1, Rule::OpenQuote),
+                None => self.refuse(raw, place, Rule::Fields { expected, got }),
+            }
             // An ego of which the only row is broken is there.
             if let Some(id) = columns[ID].and_then(|field| record.get(field))
                 && !id.is_empty()
             {
                 self.vehicle(raw, raw.all(), id);
             }
+            return;
+        }
+        // An id over two lines is what a quote makes of two rows when the next one closes it.
+        let id = columns[ID].and_then(|field| record.get(field));
+        if let (Some(quote), true) = (raw.open_quote(), id.is_some_and(|id| id.contains('\n'))) {
+            self.refuse(raw, quote..quote + 1, Rule::OpenQuote);
             return;
         }
         let mut numbers = [None; COLUMNS.len()];

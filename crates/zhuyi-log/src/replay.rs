@@ -30,7 +30,7 @@ use zhuyi_estimator::samples::{Sample, trajectory};
 use zhuyi_estimator::{Ego, Recording};
 
 use crate::log::{Log, Row, Vehicle};
-use crate::path::{Ahead, Foot, Path, straight};
+use crate::path::{Ahead, Foot, Path, Straight};
 
 /// A log and the vehicle in it that is the ego.
 #[derive(Clone, Debug)]
@@ -89,7 +89,7 @@ enum Frame<'a> {
     Road(&'a Road),
     Path(Ahead<'a>),
     /// Through a pose.
-    Straight(Pose),
+    Straight(Straight),
 }
 
 impl Frame<'_> {
@@ -97,7 +97,7 @@ impl Frame<'_> {
         match self {
             Self::Road(road) => on_road(road, point),
             Self::Path(ahead) => ahead.foot(point, hint),
-            Self::Straight(pose) => straight(*pose, 0.0, point),
+            Self::Straight(straight) => straight.foot(point),
         }
     }
 }
@@ -240,9 +240,10 @@ impl Lane<'_> {
     fn frame(&self, row: usize, pose: Pose) -> Frame<'_> {
         match self {
             Self::Road(road) => Frame::Road(road),
-            Self::Own(path) => path
-                .from(row, pose)
-                .map_or(Frame::Straight(pose), Frame::Path),
+            Self::Own(path) => path.from(row, pose).map_or_else(
+                || Frame::Straight(Straight::through(pose, 0.0)),
+                Frame::Path,
+            ),
         }
     }
 }

@@ -7,6 +7,7 @@ use zhuyi_scenario::{Invalid, Kind, Source, System, load};
 
 use super::Task;
 use crate::answer::Answer;
+use crate::argument::Argument;
 use crate::error::Error;
 use crate::inputs::{Setup, any_source};
 use crate::problems::Problems;
@@ -53,7 +54,7 @@ impl Task for Check {
         let mut text = String::new();
         let system = self.setup.system_source(&mut problems);
         for file in &self.files {
-            let source = any_source(file, &mut problems);
+            let source = any_source(Argument::new("FILE", file), &mut problems);
             let passes =
                 source.is_some_and(|source| passes(&source, system.as_ref(), &mut problems));
             let verdict = if passes { "ok" } else { "not ok" };

@@ -8,10 +8,11 @@ use std::path::PathBuf;
 use clap::Args;
 use zhuyi_core::{ActorId, FrameRates, Road};
 use zhuyi_estimator::criticality::Limits;
-use zhuyi_estimator::{Criterion, Estimator, Solver, State, Watch};
-use zhuyi_log::files::{Rows, actors_csv, cameras_csv, criticality_csv};
-use zhuyi_log::summary::STATES;
-use zhuyi_log::{Evaluation, Log, Replay, Summary, evaluate};
+use zhuyi_estimator::{Criterion, Estimator, Solver, Watch};
+use zhuyi_log::files::{actors_csv, cameras_csv, criticality_csv, egos_csv};
+use zhuyi_log::{
+    Consistency, Evaluation, Log, Replay, Summary, evaluate, evaluate_with_criticality,
+};
 use zhuyi_scenario::{Kind, Setting, System};
 
 use super::Task;
@@ -45,7 +46,9 @@ vehicles may appear and vanish. Steps without the ego are skipped.
 Writes DIR/actors.csv (time_s, actor, state, latency_s, t_n_s, binding, extrapolated_s, cameras), one row per time and \
 vehicle that is there, in view of a camera or not, DIR/cameras.csv (time_s, camera, latency_s, fpr_hz, actor), and \
 DIR/criticality.csv (time_s, actor, ttc_s, ttc_2d_s, thw_s, drac_mps2, pet_s, ttb_s, btn, impact_mps); with --all-egos \
-DIR/egos.csv alone. What there is not is an empty field: t_n_s with the criterion standstill, an actor that nobody asks for. Occlusion is ignored. Past its last row a vehicle keeps its speed and offset. The same command \
+DIR/egos.csv alone (ego, steps, actors, the number of answers of each state none, tolerable, beyond_grid, unavoidable and \
+alongside, the highest demand of an analysed camera as fpr_hz, camera, time_s, actor, and extrapolated_share), one row per \
+vehicle. What there is not is an empty field: t_n_s with the criterion standstill, an actor that nobody asks for. Occlusion is ignored. Past its last row a vehicle keeps its speed and offset. The same command \
 gives the same bytes.")]
 pub struct Arguments {
     /// The trace, a CSV file as zhuyi run --trace writes it
@@ -110,6 +113,8 @@ enum Egos {
 struct Evaluated {
     evaluation: Evaluation,
     summary: Summary,
+    /// Whether its record can be meant as it stands.
+    consistency: Consistency,
     /// [m] length of its recorded path, where that is the frame.
     path_length: Option<f64>,
 }
@@ -124,7 +129,7 @@ impl Arguments {
             system: self.rig.clone(),
             settings: self.settings.clone(),
         };
-        let read = Inputs::read(self.road.as_slice(), &setup, &mut problems);
+        let read = Inputs::read_from("--road", self.road.as_slice(), &setup, &mut problems);
         self.refuse_settings_of_no_road(&mut problems);
         let rates = Rates::read(self.fpr.as_deref(), &mut problems);
         let rates = rates.zip(read.system.as_ref());
@@ -286,7 +291,8 @@ impl Task for Estimate {
             .zip(rates.all().iter().copied());
         let rig: Vec<Watch<'_>> = rig.map(watch).collect();
         let estimator = Estimator::new(system.estimator.clone());
-        let evaluated = |ego| evaluated(&log, ego, road.as_ref(), &estimator, &rig);
+        let evaluated =
+            |ego, limits| evaluated((&log, ego), road.as_ref(), &estimator, &rig, limits);
         let scene = text::Scene {
             log: &log,
             rig: &rig,
@@ -295,18 +301,17 @@ impl Task for Estimate {
         };
         match egos {
             Egos::One { ego, files } => {
-                let one = evaluated(ego);
-                let written = files.each_ref().map(|output| output.path().to_path_buf());
                 let limits = Limits {
                     max_decel: system.vehicle.max_decel,
                     lateral_margin: system.estimator.lateral_margin,
                     horizon: system.estimator.horizon,
                 };
-                let replay = Replay::new(&log, ego, road.as_ref(), limits.horizon);
+                let one = evaluated(ego, Some(&limits));
+                let written = files.each_ref().map(|output| output.path().to_path_buf());
                 let texts = [
                     actors_csv(&log, &one.evaluation, &rig),
                     cameras_csv(&log, &one.evaluation, &rig),
-                    criticality_csv(&replay, &limits),
+                    criticality_csv(&log, &one.evaluation),
                 ];
                 let [actors, cameras, criticality] = files;
                 Output::write_all([
@@ -318,64 +323,34 @@ impl Task for Estimate {
             }
             Egos::All(output) => {
                 let vehicles = (0..log.vehicles().len()).map(|place| ActorId(place as u32));
-                let all: Vec<Evaluated> = vehicles.map(evaluated).collect();
+                let all: Vec<Evaluated> = vehicles.map(|ego| evaluated(ego, None)).collect();
                 let written = output.path().to_path_buf();
-                output.write(egos_csv(&log, &all, &rig).as_bytes())?;
+                let egos = all.iter().map(|one| (one.evaluation.ego, &one.summary));
+                output.write(egos_csv(&log, egos, &rig).as_bytes())?;
                 Ok(Answer::new(scene.all(&all, &written)))
             }
         }
     }
 }
 
+/// With criticality where there are limits for it.
 fn evaluated(
-    log: &Log,
-    ego: ActorId,
+    (log, ego): (&Log, ActorId),
     road: Option<&Road>,
     estimator: &Estimator,
     rig: &[Watch<'_>],
+    limits: Option<&Limits>,
 ) -> Evaluated {
     let horizon = estimator.params().horizon;
     let replay = Replay::new(log, ego, road, horizon);
-    let evaluation = evaluate(&replay, estimator, rig);
+    let evaluation = match limits {
+        Some(limits) => evaluate_with_criticality(&replay, estimator, rig, limits),
+        None => evaluate(&replay, estimator, rig),
+    };
     Evaluated {
         summary: Summary::new(log, &evaluation, rig, horizon),
+        consistency: Consistency::new(log, ego),
         path_length: replay.path_length(),
         evaluation,
     }
-}
-
-/// One row per ego: how many steps, how many answers of each state, and the highest demand of an analysed camera.
-fn egos_csv(log: &Log, all: &[Evaluated], rig: &[Watch<'_>]) -> String {
-    let header = ["ego", "steps", "actors"].into_iter();
-    let header = header.chain(STATES.map(State::name));
-    let header = header.chain(["fpr_hz", "camera", "time_s", "actor", "extrapolated_share"]);
-    let mut rows = Rows::new(&header.collect::<Vec<_>>());
-    for Evaluated {
-        evaluation,
-        summary,
-        ..
-    } in all
-    {
-        let peak = summary.highest(rig);
-        let asked = peak.and_then(|(camera, peak)| Some((camera, peak.asked?)));
-        let mut fields = vec![
-            log.vehicle(evaluation.ego).id.clone(),
-            summary.steps.to_string(),
-            summary.actors.to_string(),
-        ];
-        fields.extend(summary.states.iter().map(ToString::to_string));
-        fields.push(peak.map_or(String::new(), |(_, peak)| format!("{:.6}", peak.fpr)));
-        fields.extend(match asked {
-            Some((camera, (step, actor))) => [
-                rig[camera].camera.name.clone(),
-                log.steps()[step].text.clone(),
-                log.vehicle(actor).id.clone(),
-            ],
-            None => Default::default(),
-        });
-        let share = summary.extrapolated;
-        fields.push(share.map_or(String::new(), |share| format!("{share:.6}")));
-        rows.add(&fields.iter().map(String::as_str).collect::<Vec<_>>());
-    }
-    rows.text()
 }

@@ -49,7 +49,7 @@ impl Arguments {
         let mut problems = Problems::default();
         let source = match &self.from {
             None => Some(Source::new("template.ron", embedded::template())),
-            Some(from) => any_source(from, &mut problems),
+            Some(from) => any_source(Argument::new("--from", from), &mut problems),
         };
         let in_name = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
         if self.name.is_empty() || !self.name.chars().all(in_name) {

@@ -5,6 +5,7 @@ use zhuyi_scenario::{Kind, Scenario, Source, System};
 
 use super::Task;
 use crate::answer::Answer;
+use crate::argument::Argument;
 use crate::error::Error;
 use crate::inputs::{Inputs, Setup, any_source};
 use crate::problems::Problems;
@@ -42,7 +43,7 @@ impl Arguments {
     /// What was typed, as meant.
     pub fn meant(self) -> Result<Show, Error> {
         let mut problems = Problems::default();
-        let source = any_source(&self.shown, &mut problems);
+        let source = any_source(Argument::new("SCENARIO", &self.shown), &mut problems);
         let show = source.and_then(|source| match Kind::of(&source) {
             Kind::System => self.system(&source, &mut problems),
             Kind::Scenario => self.scenario(&mut problems),

@@ -1,5 +1,6 @@
 //! `estimate`: a trace of a run gives what the run told, any vehicle can be the ego, bad rows are told.
 
+use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
@@ -55,7 +56,8 @@ fn law_a_trace_of_a_run_asks_for_what_the_run_asked_for() {
     for name in embedded::names() {
         bench.out(&format!("run {name} --trace t.csv"));
         bench.out(&format!("estimate t.csv --road {name} --out road"));
-        bench.out("estimate t.csv --out own");
+        let told = bench.out("estimate t.csv --out own");
+        assert!(!told.contains("Note:"), "{told}");
         let expected = demands(name);
         for frame in ["road", "own"] {
             let cameras = cells(&bench.read(&format!("{frame}/cameras.csv")));
@@ -261,6 +263,52 @@ fn hand_a_road_gives_the_frame() {
     assert_eq!(answer, "none 1.000000");
 }
 
+/// 10 m/s along y past a car 60 m ahead. 90 rad are 14 turns and 116.6 degrees, 26.6 from y and 116.6 from x; 36 km/h are
+/// 10 m/s.
+#[test]
+fn hand_wrong_units_are_noted() {
+    let bench = Bench::new();
+    let told = |along_y: bool, heading: &str, speed: f64, flags: &str| {
+        let mut text = HEADER.to_string();
+        for step in 0..5 {
+            for (id, ahead, speed) in [("ego", f64::from(step), speed), ("wreck", 60.0, 0.0)] {
+                let (x, y) = if along_y { (0.0, ahead) } else { (ahead, 0.0) };
+                writeln!(text, "0.{step},{id},{x},{y},{heading},{speed},0,4,2").unwrap();
+            }
+        }
+        bench.write("t.csv", &text);
+        bench.out(&format!("estimate t.csv --out o {flags}"))
+    };
+    let fine = told(true, "1.5707963", 10.0, "");
+    assert!(!fine.contains("Note:"), "{fine}");
+    // It reverses.
+    let fine = told(true, "-1.5707963", -10.0, "");
+    assert!(!fine.contains("Note:"), "{fine}");
+    let askew = "Note: `heading_rad` does not fit the positions: in 4 of 4 places the ego drives elsewhere, mostly by";
+    let noted = told(false, "90", 10.0, "");
+    assert!(
+        noted.contains(&format!("{askew} 117 degrees. It")),
+        "{noted}"
+    );
+    let noted = told(true, "90", 10.0, "");
+    assert!(
+        noted.contains(&format!("{askew} 27 degrees. It")),
+        "{noted}"
+    );
+    let noted = told(true, "1.5707963", 36.0, "");
+    assert!(
+        noted.contains("in 4 of 4 places the ego drives mostly 0.278 times as far."),
+        "{noted}"
+    );
+    let noted = told(true, "90", 36.0, "--all-egos");
+    for part in [
+        "Note: `heading_rad` (radians, anticlockwise from x) does not fit the positions of `ego`.\n",
+        "Note: `speed_mps` does not fit the positions (metres) and times (seconds) of `ego`.\n",
+    ] {
+        assert!(noted.contains(part), "{noted}");
+    }
+}
+
 #[test]
 fn hand_every_vehicle_as_the_ego() {
     let bench = Bench::new();
@@ -292,7 +340,8 @@ fn hand_real_traffic() {
             continue;
         };
         bench.write(file, &text);
-        bench.out(&format!("estimate {file} --all-egos --out o"));
+        let told = bench.out(&format!("estimate {file} --all-egos --out o"));
+        assert!(!told.contains("Note:"), "{told}");
         for row in &cells(&bench.read("o/egos.csv"))[1..] {
             let told = bench.out(&format!("estimate {file} --ego {} --out o", row[0]));
             assert!(
@@ -366,6 +415,8 @@ error: no row has the id of the ego, `ego`
   |
 1 | time_s,id,x_m,y_m,heading_rad,speed_mps,accel_mps2,length_m,width_m
   |        ^^ known: a, b
+  |
+  = help: name one with --ego, or take all with --all-egos
 ",
         ),
         (
@@ -394,6 +445,27 @@ error: a row has as many fields as there are columns, 9, got 4
     assert!(
         ran.err
             .starts_with("error: the column `y_m` is missing\n --> t.csv:1:1\n"),
+        "{}",
+        ran.err
+    );
+}
+
+#[test]
+fn hand_a_bad_road_and_many_bad_rows() {
+    let ran = refused(&trace(), "--road nope");
+    assert!(
+        ran.err
+            .starts_with("error: unknown scenario `nope`\n --> --road:1:1\n"),
+        "{}",
+        ran.err
+    );
+    let rows: Vec<String> = (0..1000)
+        .map(|time| format!("{time},ego,0,0,0,fast,0,4,2\n"))
+        .collect();
+    let ran = refused(&format!("{HEADER}{}", rows.concat()), "");
+    assert_eq!(ran.err.matches("error: `speed_mps` must be").count(), 20);
+    assert!(
+        ran.err.contains("\n\nand 980 more like this\n"),
         "{}",
         ran.err
     );

@@ -35,6 +35,67 @@ fn hand_columns() {
 }
 
 #[test]
+fn hand_of_one_rule_twenty_places_are_told() {
+    let rows: Vec<String> = (0..100_000)
+        .map(|time| format!("{time},a,0,0,0,fast,0,4,2\n"))
+        .collect();
+    let told = told(&(rows.concat() + "100000,a,0,0,0,0,0,4,0\n"), None);
+    let lines: Vec<&str> = told.lines().collect();
+    assert_eq!(lines.len(), 22);
+    assert_eq!(
+        lines[19..],
+        [
+            &*format!(
+                "21:{}: `speed_mps` must be a number, got `fast`",
+                "19,a,0,0,0,".len() + 1
+            ),
+            "and 99,980 more like this",
+            "100002:22: `width_m` must be above 0, got 0",
+        ]
+    );
+}
+
+#[test]
+fn hand_no_column_and_no_end_of_a_quote() {
+    let semicolons = HEADER.replace(',', ";") + "0;ego;0;0;0;0;0;4;2\n0,5;ego;0;0;0;0;0;4;2\n";
+    let invalid = Log::read(&semicolons, Some("ego")).unwrap_err();
+    assert_eq!(
+        invalid.to_string(),
+        "1:1: none of the columns of a trace is there"
+    );
+    let hint = invalid.violations()[0].rule.hint();
+    assert_eq!(hint.as_deref(), Some("is it separated by commas?"));
+
+    // To the end of the file, to the next quote, in the last field, and in the header.
+    let row = "0.1,ego,0,0,0,1,0,4,2\n";
+    let open = "2:5: a quote is not closed";
+    assert_eq!(
+        told(&format!("0.0,\"b,0,0,0,1,0,4,2\n{row}"), Some("ego")),
+        open
+    );
+    let next = "0.1,\"b\",0,0,0,1,0,4,2\n";
+    let found = told(&format!("0.0,\"b,0,0,0,1,0,4,2\n{next}{row}"), None);
+    assert_eq!(found.lines().next(), Some(open));
+    assert_eq!(
+        told(&format!("0.0,b,0,0,0,1,0,4,\"2\n{row}"), None),
+        "2:19: a quote is not closed"
+    );
+    let header = HEADER.replace("width_m", "\"width_m");
+    assert_eq!(
+        Log::read(&format!("{header}{row}"), None)
+            .unwrap_err()
+            .to_string(),
+        "1:61: a quote is not closed"
+    );
+    // A field over two lines, and a quote within one, are fine.
+    let text = format!(
+        "{}0.0,b,0,0,0,1,0,4,2,\"one\n\"\"two\"\n0.1,5\",0,0,0,1,0,4,2,\n",
+        HEADER.replace('\n', ",kind\n")
+    );
+    assert_eq!(Log::read(&text, None).unwrap().vehicles().len(), 2);
+}
+
+#[test]
 fn hand_numbers() {
     assert_eq!(
         told("0.0,a,NaN,inf,,ten,1e13,0,-2\n", None),

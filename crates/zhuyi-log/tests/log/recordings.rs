@@ -1,25 +1,27 @@
 //! Real traffic from `../shared/data/traces` beside the repository, where it exists: every vehicle as the ego, and the
 //! figures of the crate's page.
 
+use std::f64::consts::PI;
 use std::fmt::Write;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use zhuyi_core::{ActorId, FrameRates};
 use zhuyi_estimator::{Estimator, State};
-use zhuyi_log::{Log, Replay, Summary, evaluate};
+use zhuyi_log::{Consistency, Log, Replay, Summary, evaluate};
 
 use crate::plain::{Differences, Frame, compare};
 
 const FILES: [&str; 2] = ["us101-4_1.csv", "us101-5_1.csv"];
 
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data/traces")
+}
+
 /// A recording, if it is there.
 #[expect(clippy::print_stdout, reason = "a skipped test says so")]
 fn recording(file: &str) -> Option<Log> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../../shared/data/traces")
-        .join(file);
-    let Ok(text) = fs::read_to_string(path) else {
+    let Ok(text) = fs::read_to_string(folder().join(file)) else {
         println!("skipped: ../shared/data/traces/{file} is not there");
         return None;
     };
@@ -150,5 +152,46 @@ fn hand_past_the_last_row_a_future_is_extrapolated() {
             assert!((answer.estimate.extrapolated - (20.0 - (6.2 - time))).abs() < 1e-9);
             assert_eq!(answer.estimate.state, State::Tolerable);
         }
+    }
+}
+
+/// Every vehicle drives where it heads and as fast as it says; in degrees or km/h it does not.
+#[test]
+fn law_wrong_units_give_themselves_away_and_right_ones_do_not() {
+    for file in FILES {
+        let Some(log) = recording(file) else {
+            continue;
+        };
+        for (place, vehicle) in log.vehicles().iter().enumerate() {
+            let found = Consistency::new(&log, ActorId(place as u32));
+            assert!(
+                found.direction.is_none() && found.speed.is_none(),
+                "{file} {}: {found:?}",
+                vehicle.id
+            );
+        }
+        // Rows are rewritten field by field: the heading in degrees, the speed in km/h.
+        let text = fs::read_to_string(folder().join(file)).unwrap();
+        let changed = |column: usize, factor: f64| {
+            let rows = text.lines().enumerate().map(|(line, row)| {
+                let mut cells: Vec<String> = row.split(',').map(String::from).collect();
+                if line > 0 {
+                    let number: f64 = cells[column].parse().unwrap();
+                    cells[column] = (number * factor).to_string();
+                }
+                cells.join(",") + "\n"
+            });
+            Log::read(&rows.collect::<String>(), None).unwrap()
+        };
+        let (degrees, kmh) = (changed(4, 180.0 / PI), changed(5, 3.6));
+        let (mut moving, mut turned, mut faster) = (0, 0, 0);
+        for place in 0..log.vehicles().len() {
+            let ego = ActorId(place as u32);
+            let found = Consistency::new(&degrees, ego);
+            moving += usize::from(found.stretches > 0);
+            turned += usize::from(found.direction.is_some());
+            faster += usize::from(Consistency::new(&kmh, ego).speed.is_some());
+        }
+        assert_eq!((turned, faster), (moving, moving), "{file}");
     }
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use zhuyi_core::FrameRates;
 use zhuyi_estimator::{State, Watch};
 use zhuyi_log::summary::STATES;
-use zhuyi_log::{Log, Peak, Summary};
+use zhuyi_log::{Consistency, Log, Peak, Summary};
 
 use super::{Arguments, DEFAULT_EGO, Evaluated};
 use crate::shell;
@@ -26,6 +26,7 @@ impl Scene<'_> {
         let summary = &one.summary;
         let mut text = self.steps(summary);
         text += &self.frame(one.path_length);
+        text += &doubts(&one.consistency);
         text.push('\n');
         text += &states(summary);
         text.push('\n');
@@ -145,6 +146,7 @@ impl Scene<'_> {
         );
         text += &(egos.trim_fmt() + "\n");
         text += "* the highest demand in FPR on an analysed camera.\n";
+        text += &self.all_doubts(all);
         let _infallible = writeln!(text, "\nWrote {}", written.display());
         let loudest = all
             .iter()
@@ -153,6 +155,31 @@ impl Scene<'_> {
         let line = self.again(ego.unwrap_or(DEFAULT_EGO), &[]);
         let _infallible = writeln!(text, "\nNext:\n  {line}   one of the highest, step by step");
         text
+    }
+
+    /// Whose records cannot be meant as they stand.
+    fn all_doubts(&self, all: &[Evaluated]) -> String {
+        let note = |what: &str, doubted: fn(&Consistency) -> bool| {
+            let doubted = all.iter().filter(|one| doubted(&one.consistency));
+            let ids: Vec<&str> = doubted
+                .map(|one| self.log.vehicle(one.evaluation.ego).id.as_str())
+                .collect();
+            let first = ids.first()?;
+            let more = match ids.len() - 1 {
+                0 => String::new(),
+                more => format!(" and {more} more"),
+            };
+            Some(format!("Note: {what} of `{first}`{more}.\n"))
+        };
+        let direction = note(
+            "`heading_rad` (radians, anticlockwise from x) does not fit the positions",
+            |found| found.direction.is_some(),
+        );
+        let speed = note(
+            "`speed_mps` does not fit the positions (metres) and times (seconds)",
+            |found| found.speed.is_some(),
+        );
+        direction.into_iter().chain(speed).collect()
     }
 
     /// The command as typed, for an ego and with more flags.
@@ -206,6 +233,30 @@ fn states(summary: &Summary) -> String {
         states.add_row([state.name().to_string(), count.to_string(), percent(share)]);
     }
     states.trim_fmt() + "\n"
+}
+
+/// What of the ego's record cannot be meant as it stands.
+fn doubts(found: &Consistency) -> String {
+    let mut text = String::new();
+    let all = found.stretches;
+    if let Some(off) = found.direction {
+        let _infallible = writeln!(
+            text,
+            "Note: `heading_rad` does not fit the positions: in {} of {all} places the ego drives elsewhere, mostly by \
+             {:.0} degrees. It is in radians, anticlockwise from x.",
+            off.stretches,
+            off.median.to_degrees()
+        );
+    }
+    if let Some(off) = found.speed {
+        let _infallible = writeln!(
+            text,
+            "Note: `speed_mps` does not fit the positions and times: in {} of {all} places the ego drives mostly {:.3} \
+             times as far. They are in m/s, metres and seconds.",
+            off.stretches, off.median
+        );
+    }
+    text
 }
 
 fn percent(share: f64) -> String {
