@@ -95,12 +95,16 @@ impl<'a> Corridor<'a> {
         }
     }
 
-    /// Until when, and up to which piece, the bodies overlap sideways on all pieces from `index` on, which starts at
-    /// `end`.
-    fn overlapping_from(&self, mut index: usize, mut end: f64) -> (f64, usize) {
+    /// Until when, and up to which piece, the offset from the ego's is such as `holds` wants it on all pieces from
+    /// `index` on, which starts at `end`. What holds at both ends of a piece must hold on it.
+    #[inline]
+    fn lasting_from(
+        &self,
+        mut index: usize,
+        mut end: f64,
+        holds: impl Fn(f64) -> bool,
+    ) -> (f64, usize) {
         let (pieces, now) = (self.view.future.across, self.view.future.now);
-        let (right, left) = (self.ego.1 - self.body, self.ego.1 + self.body);
-        let inside = |d: f64| right < d && d < left;
         while let Some(piece) = pieces.get(index)
             && end < self.horizon
         {
@@ -112,7 +116,8 @@ impl<'a> Corridor<'a> {
             } else {
                 self.horizon
             };
-            if !inside(piece.d) || !inside(piece.d + (next - end) * piece.d_rate) {
+            let d = piece.d - self.ego.1;
+            if !holds(d) || !holds(d + (next - end) * piece.d_rate) {
                 break;
             }
             (end, index) = (next, index + 1);
@@ -186,11 +191,16 @@ impl Walk {
         } else {
             self.index
         };
-        if (here >= lane && there >= lane) || (here <= -lane && there <= -lane) {
+        if here >= lane && there >= lane {
+            let (end, following) = corridor.lasting_from(self.index + 1, end, |d| d >= lane);
+            return (Side::Apart, end, following);
+        }
+        if here <= -lane && there <= -lane {
+            let (end, following) = corridor.lasting_from(self.index + 1, end, |d| d <= -lane);
             return (Side::Apart, end, following);
         }
         if here.abs() < body && there.abs() < body {
-            let (end, following) = corridor.overlapping_from(self.index + 1, end);
+            let (end, following) = corridor.lasting_from(self.index + 1, end, |d| d.abs() < body);
             return (Side::Overlap, end, following);
         }
         if piece.d_rate == 0.0 || here == there {
