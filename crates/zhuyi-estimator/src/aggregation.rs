@@ -46,6 +46,16 @@ impl Estimator {
         now: f64,
         current_latency: f64,
     ) -> ForecastEstimate {
+        let answer = |trajectory| {
+            let future = Future::new(trajectory, now);
+            self.trajectory(ego, forecast.footprint, &future, current_latency)
+        };
+        if let [(_, only)] = forecast.trajectories.as_slice() {
+            return ForecastEstimate {
+                estimate: answer(only),
+                trajectory: Some(0),
+            };
+        }
         let mut ranks = [Ranked {
             weight: 0.0,
             first: None,
@@ -53,8 +63,7 @@ impl Estimator {
         let mut alongside = None;
         let (mut total, mut latency_sum) = (0.0, 0.0);
         for (place, (weight, trajectory)) in forecast.trajectories.iter().enumerate() {
-            let future = Future::new(trajectory, now);
-            let estimate = self.trajectory(ego, forecast.footprint, &future, current_latency);
+            let estimate = answer(trajectory);
             let Some(rank) = self.rank(&estimate) else {
                 alongside = alongside.or(Some((place, estimate)));
                 continue;
