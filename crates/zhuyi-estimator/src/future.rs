@@ -59,7 +59,7 @@ impl<'a> Future<'a> {
         (self.now + horizon - self.known_until).clamp(0.0, horizon.max(0.0))
     }
 
-    /// Where the actor is at t_0 and how it moves there, for models that look no further.
+    /// Where the actor is at t_0 and how it moves there, for models that look no further; none of a future without pieces.
     ///
     /// Two seconds into braking by 3 m/s2 from 10 m/s it has gone 20 - 6 = 14 m and drives 4 m/s.
     /// ```
@@ -67,20 +67,20 @@ impl<'a> Future<'a> {
     /// use zhuyi_estimator::Future;
     /// let along = [Along::constant_accel(0.0, 50.0, 10.0, -3.0)];
     /// let across = [Across { time: 0.0, d: 3.5, d_rate: -0.5 }];
-    /// let start = Future { along: &along, across: &across, known_until: 12.0, now: 2.0 }.start();
+    /// let start = Future { along: &along, across: &across, known_until: 12.0, now: 2.0 }.start().unwrap();
     /// assert_eq!((start.s, start.speed, start.accel), (64.0, 4.0, -3.0));
     /// assert_eq!((start.d, start.d_rate), (2.5, -0.5));
     /// ```
-    pub fn start(&self) -> ActorStart {
-        let along = &self.along[self.along_index(0.0)];
-        let across = &self.across[self.across_index(0.0)];
-        ActorStart {
+    pub fn start(&self) -> Option<ActorStart> {
+        let along = self.along.get(self.along_index(0.0))?;
+        let across = self.across.get(self.across_index(0.0))?;
+        Some(ActorStart {
             s: along.s_at(self.now),
             speed: along.v_at(self.now),
             accel: along.v_rate,
             d: across.d + (self.now - across.time) * across.d_rate,
             d_rate: across.d_rate,
-        }
+        })
     }
 
     /// The place in the list of the piece that holds at `time` from t_0.

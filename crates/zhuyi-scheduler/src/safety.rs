@@ -112,7 +112,7 @@ pub enum Response {
     RaiseRates,
 }
 
-/// What changes in the loop for now. By default nothing.
+/// What changes in the loop until the next decision. By default nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Measures {
     /// Whether the backup system brakes with C3.

@@ -46,7 +46,7 @@ impl Approach {
         future: &Future<'_>,
         lateral_margin: f64,
     ) -> Option<Self> {
-        let present = Present::of(future)?;
+        let present = future.start()?;
         let reach = f64::midpoint(ego.footprint.width, actor.width) + lateral_margin;
         let gap = present.s - ego.s - f64::midpoint(ego.footprint.length, actor.length);
         let ahead = gap >= 0.0 && (present.d - ego.d).abs() < reach;
@@ -109,30 +109,5 @@ impl Approach {
     fn while_closing(&self, value: impl Fn(f64) -> f64) -> Option<f64> {
         let closing = self.closing_speed();
         (closing > 0.0).then(|| value(closing))
-    }
-}
-
-/// Where an actor is and how it moves at `now`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Present {
-    pub s: f64,
-    pub speed: f64,
-    pub accel: f64,
-    pub d: f64,
-    pub d_rate: f64,
-}
-
-impl Present {
-    /// None for a future without pieces.
-    pub fn of(future: &Future<'_>) -> Option<Self> {
-        let along = future.along.get(future.along_index(0.0))?;
-        let across = future.across.get(future.across_index(0.0))?;
-        Some(Self {
-            s: along.s_at(future.now),
-            speed: along.v_at(future.now),
-            accel: along.v_rate,
-            d: across.d + (future.now - across.time) * across.d_rate,
-            d_rate: across.d_rate,
-        })
     }
 }

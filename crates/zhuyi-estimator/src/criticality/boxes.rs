@@ -17,7 +17,6 @@
 //! Sources: Kay & Kajiya (1986) for slabs; Ericson, "Real-Time Collision Detection" (2005), 4.4 and 5.5, for separating
 //! axes of moving boxes. Left out: accelerations, turning, the curvature of the road.
 
-use super::approach::Present;
 use crate::ego_motion::Start;
 use crate::{Ego, Future};
 use zhuyi_core::{Footprint, Pose};
@@ -88,7 +87,7 @@ pub fn first_contact(one: &MovingBox, other: &MovingBox) -> Option<f64> {
 
 /// [s] the first contact on the road, both boxes aligned with it, the ego at its offset; as [`first_contact`].
 pub fn on_the_road(ego: &Ego, actor: Footprint, future: &Future<'_>) -> Option<f64> {
-    let present = Present::of(future)?;
+    let present = future.start()?;
     let speed = Start::new(ego.speed, ego.accel).speed;
     let length = f64::midpoint(ego.footprint.length, actor.length);
     let width = f64::midpoint(ego.footprint.width, actor.width);

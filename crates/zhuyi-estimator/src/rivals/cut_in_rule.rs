@@ -93,7 +93,10 @@ impl SafetyModel for CutInRule {
     /// assert!((time - 2.167).abs() < 5e-4);
     /// ```
     fn reaction(&self, ego: &Ego, actor: Footprint, future: &Future<'_>) -> Reaction {
-        let approach = Approach::new(ego, actor, &future.start());
+        let Some(start) = future.start() else {
+            return Reaction::NoDanger;
+        };
+        let approach = Approach::new(ego, actor, &start);
         match self.lane.time_to_collision(&approach, ego.footprint.width) {
             None => Reaction::NoDanger,
             Some(collision) => within(collision - self.share(approach.closing_speed)),

@@ -83,7 +83,9 @@ impl SafetyModel for Rss {
     }
 
     fn reaction(&self, ego: &Ego, actor: Footprint, future: &Future<'_>) -> Reaction {
-        let start = future.start();
+        let Some(start) = future.start() else {
+            return Reaction::NoDanger;
+        };
         let approach = Approach::new(ego, actor, &start);
         if approach.behind {
             return Reaction::NoDanger;

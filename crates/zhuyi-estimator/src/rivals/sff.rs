@@ -70,7 +70,9 @@ impl SafetyModel for SafetyForceField {
     /// assert!((time - 2.5).abs() < 1e-9);
     /// ```
     fn reaction(&self, ego: &Ego, actor: Footprint, future: &Future<'_>) -> Reaction {
-        let start = future.start();
+        let Some(start) = future.start() else {
+            return Reaction::NoDanger;
+        };
         let reach = f64::midpoint(ego.footprint.length, actor.length);
         let ahead = start.s - ego.s;
         if ahead < -reach {

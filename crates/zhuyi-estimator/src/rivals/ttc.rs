@@ -56,7 +56,10 @@ impl SafetyModel for TtcThreshold {
     /// assert_eq!(TtcThreshold::default().reaction(&ego, car, &future), Reaction::Within(1.0));
     /// ```
     fn reaction(&self, ego: &Ego, actor: Footprint, future: &Future<'_>) -> Reaction {
-        let approach = Approach::new(ego, actor, &future.start());
+        let Some(start) = future.start() else {
+            return Reaction::NoDanger;
+        };
+        let approach = Approach::new(ego, actor, &start);
         match self.lane.time_to_collision(&approach, ego.footprint.width) {
             None => Reaction::NoDanger,
             Some(collision) => within(collision - self.threshold),

@@ -61,7 +61,10 @@ impl SafetyModel for VisibilityBudget {
     }
 
     fn reaction(&self, ego: &Ego, actor: Footprint, future: &Future<'_>) -> Reaction {
-        let approach = Approach::new(ego, actor, &future.start());
+        let Some(start) = future.start() else {
+            return Reaction::NoDanger;
+        };
+        let approach = Approach::new(ego, actor, &start);
         if ego.speed <= 0.0 || approach.gap < 0.0 {
             return Reaction::NoDanger;
         }

@@ -188,7 +188,7 @@ impl Step<'_> {
     fn moment(&self, camera: usize, needed: &Demand, asked: &Demand) -> Option<Moment> {
         let actor = needed.actor?;
         let (ego, body, future) = self.hindsight.question(&self.row, actor);
-        let start = future.start();
+        let start = future.start()?;
         Some(Moment {
             seed: self.seed,
             time: self.row.time,

@@ -43,7 +43,9 @@ impl KinderWorlds {
         let steady = |estimator: &Estimator| {
             hindsight.demands_by(estimator, row, |actor: ActorId, current_latency| {
                 let (ego, body, future) = hindsight.question(row, actor);
-                let start = future.start();
+                let Some(start) = future.start() else {
+                    return estimator.trajectory(&ego, body, &future, current_latency);
+                };
                 let along = [Along::constant_accel(future.now, start.s, start.speed, 0.0)];
                 let across = [Across {
                     time: future.now,
