@@ -47,7 +47,8 @@ Policies share --budget-fps between the cameras, every 100 ms: uniform, proporti
 demand-first, demand-hysteresis, importance, rss, ttc, pylot, edf, clairvoyant, \
 static:front=10,left=1,.. and exec:COMMAND, a program of \
 yours that reads one line of JSON per decision and answers with one: {\"rates_fps\": [..]}. The drive begins at the budget in \
-equal parts.
+equal parts. A frame takes \
+its period here, so edf shares as demand-first does; clairvoyant knows the same drive at 30 FPR.
 
 The file of --online has one row per decision and camera: time_s, camera, rate_fps, online_fps, online_actor, offline_fps, \
 offline_actor; offline is with hindsight and the same l_0.")]
