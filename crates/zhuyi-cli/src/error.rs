@@ -64,18 +64,22 @@ impl Error {
             Self::Refused(problems) => {
                 problems.render(err.is_terminal() && std::env::var_os("NO_COLOR").is_none())
             }
-            _ => format!("error: {self}{}", self.causes()),
+            _ => format!("error: {}", self.with_causes()),
         };
         let _closed = writeln!(err, "{text}");
     }
 
-    fn causes(&self) -> String {
-        let mut causes = Vec::new();
+    /// The text and behind it each cause that it does not tell already.
+    fn with_causes(&self) -> String {
+        let mut text = self.to_string();
         let mut cause = self.source();
         while let Some(error) = cause {
-            causes.push(format!(": {error}"));
+            let told = error.to_string();
+            if !text.contains(&told) {
+                text = format!("{text}: {told}");
+            }
             cause = error.source();
         }
-        causes.concat()
+        text
     }
 }

@@ -117,6 +117,27 @@ struct Evaluated {
     consistency: Consistency,
     /// [m] length of its recorded path, where that is the frame.
     path_length: Option<f64>,
+    /// Rows in which it is beside the given road, and how far at most.
+    beside_road: Option<BesideRoad>,
+}
+
+/// An ego that is beside the lanes of the road that its trace is said to be of.
+struct BesideRoad {
+    rows: usize,
+    /// [m] largest distance of its centre from the middle of the road.
+    furthest: f64,
+}
+
+impl BesideRoad {
+    fn new(log: &Log, ego: ActorId, road: &Road) -> Self {
+        let offsets = log.vehicle(ego).rows.iter();
+        let offsets = offsets.map(|row| road.road_from_world(row.pose.point()).d);
+        let beside: Vec<f64> = offsets.filter(|d| road.lane_at(*d).is_none()).collect();
+        Self {
+            rows: beside.len(),
+            furthest: beside.iter().fold(0.0, |most, d| d.abs().max(most)),
+        }
+    }
 }
 
 impl Arguments {
@@ -351,6 +372,7 @@ fn evaluated(
         summary: Summary::new(log, &evaluation, rig, horizon),
         consistency: Consistency::new(log, ego),
         path_length: replay.path_length(),
+        beside_road: road.map(|road| BesideRoad::new(log, ego, road)),
         evaluation,
     }
 }

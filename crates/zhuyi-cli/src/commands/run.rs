@@ -43,15 +43,17 @@ up to the contact.
 The trace has one row per time and vehicle: time_s, id, x_m, y_m, heading_rad, speed_mps, accel_mps2, length_m, width_m, \
 s_m, d_m, lane. The ego's id is `ego`. The same command gives the same bytes.
 
-Policies share --budget-fps between the cameras, every 100 ms: uniform, proportional (to the demand, the paper's), \
-demand-first, demand-hysteresis, importance, rss, ttc, pylot, edf, clairvoyant, \
-static:front=10,left=1,.. and exec:COMMAND, a program of \
-yours that reads one line of JSON per decision and answers with one: {\"rates_fps\": [..]}. The drive begins at the budget in \
-equal parts. A frame takes \
-its period here, so edf shares as demand-first does; clairvoyant knows the same drive at 30 FPR.
+With --policy and --budget-fps a policy shares the budget between the cameras every 100 ms: uniform, proportional (to the \
+demand, the paper's), demand-first, demand-hysteresis, importance, rss, ttc, pylot, edf (as demand-first here, where a frame \
+takes its period), clairvoyant (knows the same drive at 30 FPR), static:front=10,left=1 (others share what is left) and \
+exec:COMMAND, a program of yours. It reads per decision one line {\"time_s\":..,\"budget_fps\":..,\"floor_fps\":..,\
+\"cap_fps\":..,\"ego_speed_mps\":..,\"cameras\":[{\"name\",\"rate_fps\",\"demand_fps\",\"rss_fps\",\"ttc_fps\",\"pylot_fps\",\
+\"importance_hz\"},..]} and answers within 2 s with one line {\"rates_fps\":[..]}, a rate per camera in that order, flushed \
+(python3 -u, jq --unbuffered). The drive begins at the budget in equal parts; `ran at` is then the mean.
 
 The file of --online has one row per decision and camera: time_s, camera, rate_fps, online_fps, online_actor, offline_fps, \
-offline_actor; offline is with hindsight and the same l_0.")]
+offline_actor. Both estimates take l_0 = 1/30 s (system file: online), whatever the camera runs at, so offline_fps is not the \
+demand printed, which takes l_0 = 1/rate.")]
 pub struct Arguments {
     /// A scenario's name (see zhuyi list) or the path of a .ron file
     #[arg(value_name = "SCENARIO")]
@@ -253,7 +255,13 @@ impl Task for Run {
         let text = if self.json {
             summary.json()
         } else {
-            text::describe(&summary, self.typed.trace.as_deref(), &self.next(&summary))
+            let written = [&self.typed.trace, &self.typed.online];
+            let written: Vec<_> = written
+                .into_iter()
+                .flatten()
+                .map(PathBuf::as_path)
+                .collect();
+            text::describe(&summary, &written, &self.next(&summary))
         };
         Ok(Answer::new(text))
     }

@@ -566,3 +566,15 @@ fn hand_a_full_disk_leaves_both_files_as_they_were() {
     assert_eq!(bench.read("o/actors.csv"), "mine");
     assert_eq!(bench.names("o"), ["actors.csv", "cameras.csv"]);
 }
+
+/// A trace of the curve on a straight road: nobody would be in the ego's way there.
+#[test]
+fn hand_another_road_is_noted() {
+    let bench = Bench::new();
+    bench.out("run challenging-cut-in-curved --trace t.csv");
+    let told = bench.out("estimate t.csv --road cut-in --out o");
+    let note = "Note: the ego is beside the road of cut-in in ";
+    assert!(told.contains(note), "{told}");
+    let told = bench.out("estimate t.csv --road challenging-cut-in-curved --out o");
+    assert!(!told.contains("Note:"), "{told}");
+}

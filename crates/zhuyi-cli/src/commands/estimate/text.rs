@@ -27,6 +27,7 @@ impl Scene<'_> {
         let mut text = self.steps(summary);
         text += &self.frame(one.path_length);
         text += &doubts(&one.consistency);
+        text += &self.beside_road(one);
         text.push('\n');
         text += &states(summary);
         text.push('\n');
@@ -41,6 +42,18 @@ impl Scene<'_> {
         let _infallible = writeln!(text, "\nWrote {actors}, {cameras}, {criticality}");
         text += &self.next(summary);
         text
+    }
+
+    /// Whether the trace is likely to be of another road: more than half of it lies beside this one.
+    fn beside_road(&self, one: &Evaluated) -> String {
+        match (&one.beside_road, &self.typed.road) {
+            (Some(beside), Some(road)) if 2 * beside.rows > one.summary.steps => format!(
+                "Note: the ego is beside the road of {road} in {} of {} steps, up to {:.0} m from its middle: is it the \
+                 road of this trace?\n",
+                beside.rows, one.summary.steps, beside.furthest
+            ),
+            _ => String::new(),
+        }
     }
 
     fn steps(&self, summary: &Summary) -> String {

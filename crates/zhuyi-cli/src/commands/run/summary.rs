@@ -134,7 +134,7 @@ pub struct Camera {
     pub name: String,
     /// Whether its demand counts in the estimate.
     pub analysed: bool,
-    /// [FPR] the rate that it ran at.
+    /// [FPR] the rate that it ran at; under a policy the mean.
     pub rate_fpr: f64,
     /// [FPR] its highest demand.
     pub demand_fpr: f64,
@@ -217,7 +217,11 @@ fn cameras(asked: &Run, run: &zhuyi_sim::Run, peaks: &Peaks, end: f64) -> Vec<Ca
         Camera {
             name: eye.camera.name.clone(),
             analysed: eye.camera.analysed,
-            rate_fpr: asked.rates.all()[place],
+            rate_fpr: if asked.typed.policy.is_some() {
+                frames.exposed as f64 / end
+            } else {
+                asked.rates.all()[place]
+            },
             demand_fpr: peak.fpr,
             demand_time_s: peak.actor.map(|_| seconds(peak.time)),
             demand_actor: peak.actor.map(|actor| name(&asked.scenario, actor)),

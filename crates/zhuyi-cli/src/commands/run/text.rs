@@ -6,8 +6,8 @@ use std::path::Path;
 use super::summary::{AtRest, Collision, Summary};
 use crate::tables::table;
 
-/// The text, with the trace that was written, commands to go on with and what they are for.
-pub fn describe(summary: &Summary, trace: Option<&Path>, next: &[(String, &str)]) -> String {
+/// The text, with the files that were written, commands to go on with and what they are for.
+pub fn describe(summary: &Summary, written: &[&Path], next: &[(String, &str)]) -> String {
     let mut text = format!(
         "{}, seed {}: {}\n\n",
         summary.scenario, summary.seed, summary.title
@@ -17,8 +17,12 @@ pub fn describe(summary: &Summary, trace: Option<&Path>, next: &[(String, &str)]
     text.push('\n');
     text += &cameras(summary);
     text += &remarks(summary);
-    if let Some(trace) = trace {
-        let _infallible = writeln!(text, "\nWrote {}", trace.display());
+    if !written.is_empty() {
+        let names: Vec<String> = written
+            .iter()
+            .map(|path| path.display().to_string())
+            .collect();
+        let _infallible = writeln!(text, "\nWrote {}", names.join(", "));
     }
     text += "\nNext:\n";
     let width = next.iter().map(|(line, _)| line.chars().count()).max();
@@ -135,7 +139,8 @@ fn cameras(summary: &Summary) -> String {
         let asked = camera.demand_actor.as_deref();
         cameras.add_row([
             format!("{}{mark}", camera.name),
-            format!("{} FPR", camera.rate_fpr),
+            // Whole rates as they were typed, the means of a policy rounded.
+            format!("{} FPR", (100.0 * camera.rate_fpr).round() / 100.0),
             format!("{:.2} FPR", camera.demand_fpr),
             camera
                 .demand_time_s
