@@ -4,6 +4,7 @@
 //! t_n] at which the bodies overlap sideways.
 
 use crate::conflict::{Corridor, Span, Spans, Zone};
+use crate::constraints::{TOLERANCE, distance_slack, speed_slack};
 use crate::ego_motion::{EgoMotion, Phase, braking_decel};
 use crate::recording::{AlongBlock, View};
 use crate::stretch::{Datum, Margins, Outline, Stretch};
@@ -96,6 +97,15 @@ impl<'a> Encounter<'a> {
         let future = &self.corridor.view.future;
         let (piece, at) = (&future.along[future.along_index(time)], time + future.now);
         (piece.s_at(at) - self.datum.origin, piece.v_at(at))
+    }
+
+    /// Whether a candidate meets both constraints at a time, contact or not.
+    pub fn meets(&self, candidate: &Candidate, time: f64) -> bool {
+        let ((gap, actor_speed), (phase, _)) =
+            (self.actor(time), candidate.motion.phase_and_end(time));
+        let Margins { c1, c2 } = self.margins;
+        distance_slack(c1, gap, phase.distance_at(time)) >= -TOLERANCE
+            && speed_slack(c2, actor_speed, phase.speed_at(time)) >= -TOLERANCE
     }
 
     /// What happens first to a candidate on a cell.
