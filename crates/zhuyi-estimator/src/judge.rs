@@ -98,7 +98,7 @@ impl Judge<'_> {
         let candidate = encounter.candidate(delay);
         // Mostly the end tells: an actor that goes on is by then ahead again of an ego that stands.
         Some(
-            if unmet_until < horizon && encounter.meets(&candidate, horizon) {
+            if unmet_until < horizon && encounter.meets_at_end(&candidate) {
                 Binding::PassThrough
             } else {
                 self.cause(&candidate, unmet_until)
@@ -146,7 +146,7 @@ mod tests {
     use super::Judge;
     use crate::encounter::{Delay, Encounter};
     use crate::recording::View;
-    use crate::{Criterion, Ego, Future, Params};
+    use crate::{Binding, Criterion, Ego, Estimator, Future, Params, State};
     use proptest::prelude::*;
     use proptest::test_runner::RngSeed;
     use zhuyi_core::{Across, Along, Footprint};
@@ -155,6 +155,42 @@ mod tests {
         length: 4.0,
         width: 2.0,
     };
+
+    /// 20 m/s, a car stands 5 m ahead: the ego ends 40.8 m on, never behind it. That the list has it elsewhere from
+    /// the end of the horizon on is beyond the horizon.
+    #[test]
+    fn hand_the_end_of_the_horizon_belongs_to_the_piece_before_it() {
+        let ego = Ego {
+            s: 0.0,
+            d: 0.0,
+            speed: 20.0,
+            accel: 0.0,
+            footprint: CAR,
+        };
+        let across = [Across {
+            time: 0.0,
+            d: 0.0,
+            d_rate: 0.0,
+        }];
+        let binding = |elsewhere_from: f64| {
+            let along = [
+                Along::constant_accel(0.0, 9.0, 0.0, 0.0),
+                Along::constant_accel(elsewhere_from, 500.0, 0.0, 0.0),
+            ];
+            let future = Future {
+                along: &along,
+                across: &across,
+                known_until: 20.0,
+                now: 0.0,
+            };
+            let estimate =
+                Estimator::new(Params::default()).trajectory(&ego, CAR, &future, 1.0 / 30.0);
+            (estimate.state, estimate.binding)
+        };
+        let unavoidable = |binding| (State::Unavoidable, Some(binding));
+        assert_eq!(binding(20.0), unavoidable(Binding::Distance));
+        assert_eq!(binding(19.9), unavoidable(Binding::PassThrough));
+    }
 
     prop_compose! {
         /// A lead that changes its acceleration a few times and its offset now and then.
