@@ -19,6 +19,7 @@ pub mod outcome;
 pub mod recorded;
 pub mod scheduled;
 pub mod simulation;
+pub mod surroundings;
 pub mod trace;
 pub mod trace_csv;
 
@@ -28,4 +29,5 @@ pub use online::{Asked, Online};
 pub use outcome::{Collision, Extremes, Frames, Outcome, Run};
 pub use scheduled::{Allocation, Scheduled, known_future};
 pub use simulation::{STEP, Simulation};
+pub use surroundings::{believed, surroundings};
 pub use trace::Trace;

@@ -10,9 +10,13 @@
 
 use zhuyi_core::{Body, Forecast, Frenet, Road, SimTime, Track};
 use zhuyi_estimator::rivals::Rivals;
-use zhuyi_estimator::{Answer, Demand, Ego, Estimator, Future, Moment, SafetyModel, Seen, Watch};
+use zhuyi_estimator::{
+    Answer, Demand, Ego, Estimator, Future, Moment, PhantomParams, SafetyModel, Seen, Watch,
+};
 use zhuyi_scenario::System;
 use zhuyi_scheduler::Demands;
+
+use crate::surroundings::{believed, surroundings};
 
 /// The estimator on what the ego believes.
 #[derive(Debug)]
@@ -22,6 +26,7 @@ pub struct Online<'a> {
     estimator: Estimator,
     rivals: Rivals,
     forecasts: Vec<Forecast>,
+    phantoms: Option<PhantomParams>,
 }
 
 /// What was asked of every camera at one time, in the order of the rig.
@@ -48,7 +53,15 @@ impl<'a> Online<'a> {
             estimator: Estimator::new(system.estimator.clone()),
             rivals: Rivals::default(),
             forecasts: Vec::new(),
+            phantoms: None,
         }
+    }
+
+    /// Beside the tracks count phantoms, at every edge of what no camera sees past the tracks, in the paper's model.
+    #[must_use]
+    pub fn with_phantoms(mut self, params: PhantomParams) -> Self {
+        self.phantoms = Some(params);
+        self
     }
 
     /// What the ego asks for, with its cameras at `rates`.
@@ -103,6 +116,13 @@ impl<'a> Online<'a> {
                     }
                 }
             });
+        if let Some(params) = &self.phantoms {
+            let believed = |track: &Track| believed(track, self.road);
+            let bodies: Vec<Body> = tracks.iter().map(believed).collect();
+            let around = surroundings(self.road, body, &bodies);
+            self.estimator
+                .add_phantoms(&around, &rig, params, &mut demands);
+        }
         let by = |model: &dyn SafetyModel| self.by_model(model, &moment);
         let (rss, ttc, pylot) = (
             by(&self.rivals.rss),

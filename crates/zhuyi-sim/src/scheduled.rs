@@ -6,7 +6,7 @@
 //! ```
 
 use zhuyi_core::{FrameRates, SimTime};
-use zhuyi_estimator::Estimator;
+use zhuyi_estimator::{Estimator, PhantomParams};
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::{CameraState, Demands, Policy, PolicyError, Situation};
 
@@ -68,6 +68,13 @@ impl<'a> Scheduled<'a> {
             asked: Vec::new(),
             offline: Vec::new(),
         }
+    }
+
+    /// Beside the tracks count phantoms; see [`Online::with_phantoms`].
+    #[must_use]
+    pub fn with_phantoms(mut self, params: PhantomParams) -> Self {
+        self.online = self.online.with_phantoms(params);
+        self
     }
 
     /// Tells policies the [`known_future`] of another run; behind its end its last demands stay.

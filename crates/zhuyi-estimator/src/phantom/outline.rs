@@ -11,7 +11,9 @@
 use std::f64::consts::TAU;
 
 use zhuyi_core::geometry::wrap_angle;
-use zhuyi_core::{Body, Footprint, Point, Pose};
+use zhuyi_core::{Body, Camera, Footprint, Point, Pose};
+
+use super::EXACT;
 
 /// A box as an eye outside of it sees it. Bearings are counted counter-clockwise from the eye's heading.
 #[derive(Clone, Copy, Debug)]
@@ -66,6 +68,19 @@ impl Outline {
             half,
             heading: eye.heading - pose.heading,
         }
+    }
+
+    /// Whether some of it lies in a field of view around the eye's heading, hidden or not.
+    pub fn in_view(&self, fov: f64) -> bool {
+        [-TAU, 0.0, TAU].into_iter().any(|turn| {
+            let bearing = self.bearing + turn;
+            bearing + self.right < fov / 2.0 && bearing + self.left > -fov / 2.0
+        })
+    }
+
+    /// Whether a camera has some of it in view, no further than at the limit of its range.
+    pub fn concerns(&self, camera: &Camera) -> bool {
+        self.distance <= camera.range + 2.0 * EXACT && self.in_view(camera.fov)
     }
 
     /// [-] the share of its angular width that the eye sees, with `bodies` around.
