@@ -44,7 +44,7 @@ use zhuyi_core::{Across, Along, Body, Camera, Footprint, Pose};
 use crate::demand::Answers;
 use crate::{Demand, Ego, Estimator, Future, Watch};
 pub use edges::Phantoms;
-use outline::Outline;
+use outline::{Outline, concerns};
 
 /// [m] how far apart places are looked at.
 pub const STEP: f64 = 1.0;
@@ -110,7 +110,7 @@ impl Phantom {
     /// Whether it is a camera's business: some of it lies in the field of view, and no further than at the limit of the
     /// range. Whether it is hidden does not matter: hidden it is.
     pub fn counts_for(&self, camera: &Camera, ego: Pose, footprint: Footprint) -> bool {
-        Outline::new(camera.pose(ego), footprint, self.pose).concerns(camera)
+        concerns(camera, camera.pose(ego), footprint, self.pose)
     }
 
     /// Its future, seen from t_0.
@@ -177,8 +177,8 @@ impl<P: Fn(f64) -> Pose> Surroundings<'_, P> {
 
 impl Estimator {
     /// What the phantoms ask of a rig, on top of its `demands`, one per camera in its order: each phantom asks those
-    /// cameras that look where it stands, with their own l_0, and a camera is asked for what the most demanding needs.
-    /// Allocates nothing.
+    /// cameras that look where it stands, with their own l_0, and a camera is asked for what the most demanding needs,
+    /// which is the nearest in its view. Allocates nothing.
     ///
     /// A camera at the bumper of an ego at 10 m/s sees 50 m of an empty road. A car that stands right behind that may be
     /// 0.604 s late in sight (see [`Estimator::trajectory`]): 1.66 FPR. The one that looks back is not asked.
@@ -212,7 +212,7 @@ impl Estimator {
     ) {
         let (body, footprint) = (around.ego, params.footprint);
         let ego = Ego::from(body);
-        for phantom in around.phantoms(rig, params) {
+        for phantom in around.phantoms(rig, params).nearest_of_each_camera() {
             let future = phantom.future();
             let mut answers = Answers::default();
             for (watch, demand) in rig.iter().zip(&mut *demands) {

@@ -10,13 +10,15 @@
 //! is the first free place behind one that is not, and within the free ones the first that a further camera of the rig
 //! has in view: for that camera a phantom begins there.
 //!
-//! Places are looked at in steps of [`STEP`], and an edge between two of them is bisected. The walk ends at the first
-//! free place behind which no camera reaches, or at the latest after twice the range, should the path wind within it.
-//! Left out: what a path that has left the range may come back to.
+//! Places are looked at in steps of [`STEP`], and an edge between two of them is bisected. The walk ends where the path
+//! has left the range of all cameras, or at the latest after twice the range, should the path wind within it. To answer
+//! for demands, places are passed over that are in view only of cameras that have a phantom already: one further on
+//! asks them for no more, and to find out whether a place is seen is what costs. Left out: what a path that has left the
+//! range may come back to.
 
-use zhuyi_core::{Body, Pose};
+use zhuyi_core::{Body, Camera, Pose};
 
-use super::outline::Outline;
+use super::outline::{concerns, in_sight};
 use super::{EXACT, Phantom, PhantomParams, STEP, Surroundings};
 use crate::Watch;
 
@@ -34,6 +36,18 @@ pub struct Phantoms<'a, P> {
     from: f64,
     /// [m] what cameras that look straight along the path reach.
     reach: f64,
+    /// The cameras that have a phantom and need no other; none where all edges are asked for.
+    served: Option<Served>,
+}
+
+/// Places in the rig's list, of the first 64: any others look for all their phantoms.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Served(u64);
+
+impl Served {
+    fn bit(place: usize) -> u64 {
+        u32::try_from(place).map_or(0, |place| 1_u64.checked_shl(place).unwrap_or(0))
+    }
 }
 
 /// What is right before a place.
@@ -47,6 +61,8 @@ enum Before {
     Taken,
     /// [m] a place that is free.
     Free(f64),
+    /// [m] a place that no camera without a phantom has in view.
+    PassedOver(f64),
 }
 
 impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
@@ -67,6 +83,15 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
             before: Before::Nothing,
             from,
             reach: ranges.fold(0.0, f64::max) + params.footprint.length + STEP,
+            served: None,
+        }
+    }
+
+    /// Those alone that some camera needs: the nearest in its view.
+    pub(super) fn nearest_of_each_camera(self) -> Self {
+        Self {
+            served: Some(Served::default()),
+            ..self
         }
     }
 
@@ -80,6 +105,9 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
                 let gained = |s: f64| self.is_free(s) && self.a_camera_gains(before, s);
                 gained(free).then(|| first(before, free, gained))
             }
+            Before::PassedOver(before) => {
+                Some(first(before, free, |s| self.matters(s) && self.is_free(s)))
+            }
         }
     }
 
@@ -89,13 +117,49 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
 
     /// Whether a camera has a phantom at `s` in view and not one at `before`.
     fn a_camera_gains(&self, before: f64, s: f64) -> bool {
-        let poses = [before, s].map(&self.around.path);
-        self.rig.iter().any(|Watch { camera, .. }| {
+        let [before, now] = [before, s].map(&self.around.path);
+        let gains = |camera| self.concerned(camera, now) && !self.concerned(camera, before);
+        self.rig.iter().any(|watch| gains(watch.camera))
+    }
+
+    fn concerned(&self, camera: &Camera, pose: Pose) -> bool {
+        let eye = camera.pose(self.around.ego.pose);
+        concerns(camera, eye, self.params.footprint, pose)
+    }
+
+    /// Whether a camera that has no phantom yet has a place in view; all matter until the first stands.
+    fn matters(&self, s: f64) -> bool {
+        let Some(Served(served @ 1..)) = self.served else {
+            return true;
+        };
+        let pose = (self.around.path)(s);
+        let waits = |place: usize| served & Served::bit(place) == 0;
+        let mut rig = self.rig.iter().enumerate();
+        rig.any(|(place, watch)| waits(place) && self.concerned(watch.camera, pose))
+    }
+
+    /// Notes whom a phantom at `pose` serves.
+    fn serve(&mut self, pose: Pose) {
+        let Some(Served(mut served)) = self.served else {
+            return;
+        };
+        for (place, watch) in self.rig.iter().enumerate() {
+            if self.concerned(watch.camera, pose) {
+                served |= Served::bit(place);
+            }
+        }
+        self.served = Some(Served(served));
+    }
+
+    /// Whether the path has left the range of all cameras.
+    fn ends(&self, s: f64) -> bool {
+        let pose = (self.around.path)(s);
+        let in_range = |camera: &Camera| {
             let eye = camera.pose(self.around.ego.pose);
-            let [before, now] =
-                poses.map(|pose| Outline::new(eye, self.params.footprint, pose).concerns(camera));
-            now && !before
-        })
+            let distance = (pose.x - eye.x).hypot(pose.y - eye.y);
+            distance - self.params.footprint.radius() <= camera.range
+        };
+        s - self.from > self.reach && !self.rig.iter().any(|watch| in_range(watch.camera))
     }
 
     /// Whether some camera sees a phantom with its centre at `s`.
@@ -103,12 +167,11 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
         let pose = (self.around.path)(s);
         self.rig.iter().any(|Watch { camera, .. }| {
             let eye = camera.pose(self.around.ego.pose);
-            let phantom = Outline::new(eye, self.params.footprint, pose);
-            let share = || phantom.visible_share(eye, camera.fov, self.around.bodies);
-            // Who has nothing of it in view need not be asked who hides it.
-            phantom.distance <= camera.range
-                && phantom.in_view(camera.fov)
-                && share() >= self.params.visible_share
+            let phantom = in_sight(camera, eye, self.params.footprint, pose);
+            phantom.is_some_and(|phantom| {
+                phantom.visible_share(eye, camera.fov, self.around.bodies)
+                    >= self.params.visible_share
+            })
         })
     }
 
@@ -134,10 +197,6 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
         }
         (free > s).then_some(free)
     }
-
-    fn at(&self, s: f64) -> Phantom {
-        Phantom::new(s, (self.around.path)(s), self.around.ego, self.params)
-    }
 }
 
 impl<P: Fn(f64) -> Pose> Iterator for Phantoms<'_, P> {
@@ -148,12 +207,21 @@ impl<P: Fn(f64) -> Pose> Iterator for Phantoms<'_, P> {
             let s = self.next;
             if let Some(free) = self.behind_taken(s) {
                 (self.next, self.before) = (free, Before::Taken);
+            } else if !self.matters(s) && !matches!(self.before, Before::Seen(_)) {
+                // Behind a seen place none is passed over: between the two may lie the limit of the range.
+                (self.next, self.before) = (s + STEP, Before::PassedOver(s));
+                if self.ends(s) {
+                    break;
+                }
             } else if self.seen(s) {
                 (self.next, self.before) = (s + STEP, Before::Seen(s));
             } else if let Some(edge) = self.edge(s) {
-                (self.next, self.before) = (edge + STEP, Before::Free(edge));
-                return Some(self.at(edge));
-            } else if s - self.from > self.reach {
+                // The same place once more, from here on: another camera may have got it in view meanwhile.
+                self.before = Before::Free(edge);
+                let pose = (self.around.path)(edge);
+                self.serve(pose);
+                return Some(Phantom::new(edge, pose, self.around.ego, self.params));
+            } else if self.ends(s) {
                 break;
             } else {
                 self.next = s + STEP;

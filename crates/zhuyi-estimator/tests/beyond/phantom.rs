@@ -1,4 +1,4 @@
-//! Phantoms: where nobody looks, by hand, and laws.
+//! Phantoms: the nearest place where nobody looks, by hand, and laws. All of them: `edges`.
 
 use crate::scene::L0;
 use proptest::prelude::*;
@@ -7,12 +7,12 @@ use zhuyi_core::{Body, Camera, Footprint, Frenet, Pose};
 use zhuyi_estimator::phantom::visible_share;
 use zhuyi_estimator::{Ego, Estimator, Params, Phantom, PhantomParams, State, Surroundings, Watch};
 
-const CAR: Footprint = Footprint {
+pub const CAR: Footprint = Footprint {
     length: 4.8,
     width: 1.9,
 };
 
-fn front(range: f64) -> Camera {
+pub fn front(range: f64) -> Camera {
     Camera {
         name: "front".into(),
         forward: 1.8,
@@ -24,14 +24,14 @@ fn front(range: f64) -> Camera {
     }
 }
 
-fn watch(camera: &Camera) -> Watch<'_> {
+pub fn watch(camera: &Camera) -> Watch<'_> {
     Watch {
         camera,
         current_latency: L0,
     }
 }
 
-fn body(footprint: Footprint, s: f64, d: f64, speed: f64) -> Body {
+pub fn body(footprint: Footprint, s: f64, d: f64, speed: f64) -> Body {
     Body {
         footprint,
         road: Frenet { s, d },
@@ -44,7 +44,7 @@ fn body(footprint: Footprint, s: f64, d: f64, speed: f64) -> Body {
 }
 
 /// [m] where the phantoms' rear bumpers are on a straight road.
-fn rears(ego: &Body, bodies: &[Body], cameras: &[&Camera], params: &PhantomParams) -> Vec<f64> {
+pub fn rears(ego: &Body, bodies: &[Body], cameras: &[&Camera], params: &PhantomParams) -> Vec<f64> {
     let rig: Vec<Watch<'_>> = cameras.iter().copied().map(watch).collect();
     let path = |s: f64| Pose::new(s, ego.road.d, 0.0);
     let around = Surroundings { ego, bodies, path };
