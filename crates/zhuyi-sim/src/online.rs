@@ -26,7 +26,6 @@ pub struct Online<'a> {
     estimator: Estimator,
     rivals: Rivals,
     forecasts: Vec<Forecast>,
-    phantoms: Option<PhantomParams>,
 }
 
 /// What was asked of every camera at one time, in the order of the rig.
@@ -42,6 +41,10 @@ pub struct Asked {
     pub importance: Vec<f64>,
     /// [Hz] the rate that the camera had.
     pub rates: Vec<f64>,
+    /// [Hz] the rate that it has from then on.
+    pub granted: Vec<f64>,
+    /// Whether that falls short of the demand.
+    pub alarms: Vec<bool>,
 }
 
 impl<'a> Online<'a> {
@@ -53,15 +56,7 @@ impl<'a> Online<'a> {
             estimator: Estimator::new(system.estimator.clone()),
             rivals: Rivals::default(),
             forecasts: Vec::new(),
-            phantoms: None,
         }
-    }
-
-    /// Beside the tracks count phantoms, at every edge of what no camera sees past the tracks, in the paper's model.
-    #[must_use]
-    pub fn with_phantoms(mut self, params: PhantomParams) -> Self {
-        self.phantoms = Some(params);
-        self
     }
 
     /// What the ego asks for, with its cameras at `rates`.
@@ -116,21 +111,16 @@ impl<'a> Online<'a> {
                     }
                 }
             });
-        if let Some(params) = &self.phantoms {
-            let believed = |track: &Track| believed(track, self.road);
-            let bodies: Vec<Body> = tracks.iter().map(believed).collect();
-            let around = surroundings(self.road, body, &bodies);
-            self.estimator
-                .add_phantoms(&around, &rig, params, &mut demands);
-        }
         let by = |model: &dyn SafetyModel| self.by_model(model, &moment);
         let (rss, ttc, pylot) = (
             by(&self.rivals.rss),
             by(&self.rivals.ttc),
             by(&self.rivals.pylot),
         );
+        let with_phantoms = self.with_phantoms(body, tracks, &rig, &demands);
         let by_model = (0..rig.len()).map(|camera| Demands {
             zhuyi: demands[camera].fpr,
+            phantom: with_phantoms[camera].fpr,
             rss: rss[camera],
             ttc: ttc[camera],
             pylot: pylot[camera],
@@ -139,10 +129,35 @@ impl<'a> Online<'a> {
         Asked {
             time,
             by_model: by_model.collect(),
+            alarms: vec![false; rig.len()],
+            granted: rates.clone(),
             demands,
             importance,
             rates,
         }
+    }
+
+    /// The demands of who is confirmed, and of who may stand where no camera sees past them.
+    fn with_phantoms(
+        &self,
+        ego: &Body,
+        tracks: &[Track],
+        rig: &[Watch<'_>],
+        demands: &[Demand],
+    ) -> Vec<Demand> {
+        let believed = |track: &Track| believed(track, self.road);
+        let bodies: Vec<Body> = tracks.iter().map(believed).collect();
+        let around = surroundings(self.road, ego, &bodies);
+        let params = PhantomParams {
+            footprint: self.system.vehicle.footprint,
+            speed: 0.0,
+            headway: self.system.online.phantom_headway,
+            visible_share: self.system.perception.visible_share,
+        };
+        let mut demands = demands.to_vec();
+        self.estimator
+            .add_phantoms(&around, rig, &params, &mut demands);
+        demands
     }
 
     /// [Hz] what another model asks of every camera: of each actor the future that is most likely.
