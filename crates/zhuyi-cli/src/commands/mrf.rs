@@ -12,24 +12,26 @@ use crate::error::Error;
 #[derive(Args, Debug)]
 #[command(
     mut_arg("scenarios", |arg| arg.required(false).required_unless_present("per_camera")),
+    mut_arg("fpr", |arg| arg.help("\
+Frame rates in frames per second, the same on all cameras, or with --per-camera those that each may have: from:to[:step] with \
+both ends, single rates, or several of these, as 1:10,15,30")),
     after_help = "\
 Examples:
   zhuyi mrf cut-out-fast
   zhuyi mrf cut-out cut-out-fast --seeds 50
   zhuyi mrf my-scenario.ron --fpr 1:60:2 --system my-car.ron
   zhuyi mrf cut-out-fast --set planner.time_headway_s=1.5
-  zhuyi mrf --per-camera cut-in                           a rate of its own for each camera, printed alone
-  zhuyi mrf --per-camera --out out                        all that come with the program, into out/mrf_per_camera.md and .csv
-  zhuyi mrf --per-camera cut-in --brute-force cut-in --fpr 1:6   every combination as well, and whether both agree
+  zhuyi mrf --per-camera cut-out-fast    a rate of its own for each camera
+  zhuyi mrf --per-camera --out out       in all nine, into out/mrf_per_camera.md and .csv
+  zhuyi mrf --per-camera cut-in --fpr 1:6 --brute-force cut-in
 
 A rate is safe when none of its seeds collides. The MRF is the lowest tested rate from which on all are safe; >30 says that \
 the highest tested one, 30, is not.
 
-With --per-camera the cameras may differ: front_120 (front_60 goes with it), left and right have a rate of --fpr each, and rear \
-keeps that of the system file. A combination is safe when none of its seeds collides, nor any in which no camera is slower. What \
-comes out are the combinations in which no camera can be slowed any more. They are searched, taking it that a higher rate does \
-not harm, and that is checked on some hundred combinations; --brute-force tries every one of a scenario instead of trusting \
-that (30 x 30 x 30 take tens of minutes)."
+With --per-camera, front_120 (and front_60 with it), left and right have a rate each; rear keeps that of the system file. A \
+combination of rates is safe when it and all in which no camera is slower are free of collisions; found are the slowest safe ones. \
+The search takes it that a higher rate does not harm, and checks that on some hundred combinations; --brute-force trusts nothing \
+and tries all of them (30 x 30 x 30 take a quarter of an hour or more)."
 )]
 pub struct Arguments {
     #[command(flatten)]

@@ -43,7 +43,7 @@ fn law_a_search_per_camera_is_reproduced_and_a_changed_file_is_told() {
     );
     for words in [
         "In challenging-cut-in every combination was tried: 27 in ",
-        "Both agree on each of them",
+        "Both agree on which of them are safe",
     ] {
         assert!(printed.contains(words), "{words} is not in\n{printed}");
     }

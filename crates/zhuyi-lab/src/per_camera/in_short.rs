@@ -15,90 +15,97 @@ pub(super) fn in_short(plan: &PerCamera, found: &Found) -> String {
     text
 }
 
-/// A combination as `6, 1, 1`.
+/// A combination as `(6, 1, 1)`.
 pub(super) fn spelt(plan: &PerCamera, combination: usize) -> String {
     let rates = plan.combinations.rates(combination);
     let rates: Vec<String> = rates.iter().map(u32::to_string).collect();
-    rates.join(", ")
+    format!("({})", rates.join(", "))
 }
 
-/// How many combinations there are, and which cameras never need more than the lowest rate.
+/// How many there are in each scenario, and which cameras never need more than the lowest rate.
 fn frontiers(plan: &PerCamera, found: &Found) -> String {
-    let scenarios = counted(found.scenarios.len() as u64, "scenario");
     let with = |count: fn(usize) -> bool| {
         let all = found.scenarios.iter();
         all.filter(|one| count(one.frontier.len())).count()
     };
     let (none, single) = (with(|count| count == 0), with(|count| count == 1));
+    let several = found.scenarios.len() - single - none;
+    let scenarios = counted(found.scenarios.len() as u64, "scenario");
     let mut text = format!(
-        "- In {single} of {scenarios} one combination alone can be slowed no more: there is nothing to trade between cameras. "
+        "- In {single} of {scenarios} there is one slowest safe combination, so that no camera can be slowed at the cost of another. "
     );
-    if single + none < found.scenarios.len() {
-        let several = found.scenarios.len() - single - none;
+    if several > 0 {
         let _ = write!(text, "In {several} there are several. ");
     }
     if none > 0 {
         let _ = write!(text, "In {none} even the highest rates collide. ");
     }
-    let idle = |camera: &usize| {
+    if none < found.scenarios.len() {
+        text += &idle(plan, found);
+    }
+    text.trim_end().to_string() + "\n"
+}
+
+/// The cameras that have the lowest rate in each combination of each frontier.
+fn idle(plan: &PerCamera, found: &Found) -> String {
+    let is_idle = |camera: &usize| {
         let frontiers = found.scenarios.iter().flat_map(|one| &one.frontier);
         let mut levels = frontiers.map(|place| plan.combinations.level(*place, *camera));
         levels.all(|level| level == 0)
     };
     let names = plan.names();
-    let (idle, needed): (Vec<usize>, Vec<usize>) = (0..names.len()).partition(idle);
+    let (idle, needed): (Vec<usize>, Vec<usize>) = (0..names.len()).partition(is_idle);
     let named = |cameras: &[usize]| {
         let names = cameras.iter().map(|camera| names[*camera].to_string());
         listed(&names.collect::<Vec<_>>())
     };
     let lowest = plan.combinations.tested()[0];
-    if with(|count| count > 0) > 0 && !idle.is_empty() {
-        let verb = if idle.len() == 1 { "needs" } else { "need" };
-        let _ = write!(
-            text,
-            "Nowhere {verb} {} more than the lowest rate tested, {lowest} FPR",
+    match (idle.as_slice(), needed.as_slice()) {
+        ([], _) => String::new(),
+        (_, []) => format!(
+            "{} never need more than {lowest} FPR, the lowest rate tested.",
             named(&idle)
-        );
-        if needed.is_empty() {
-            text += ".";
-        } else {
-            let verb = if needed.len() == 1 { "does" } else { "do" };
-            let _ = write!(text, "; {} {verb}.", named(&needed));
+        ),
+        _ => {
+            let need = if idle.len() == 1 { "needs" } else { "need" };
+            let does = if needed.len() == 1 { "does" } else { "do" };
+            format!(
+                "{} never {need} more than {lowest} FPR, the lowest rate tested; {} {does}.",
+                named(&idle),
+                named(&needed)
+            )
         }
     }
-    text.trim_end().to_string() + "\n"
 }
 
 /// The cheapest combinations against the same rate on all cameras.
 fn cost(plan: &PerCamera, found: &Found) -> String {
-    let costs = found.scenarios.iter().filter_map(|one| one.costs(plan));
-    let (own, same) = costs.fold((0, 0), |(own, same), costs| (own + costs.0, same + costs.1));
-    let mut text = String::from("- ");
-    if same == 0 {
-        return text + "No scenario has both an MRF and a combination to compare it with.\n";
+    let sum = |of: &dyn Fn(&Searched) -> bool| {
+        let costs = found.scenarios.iter().filter(|one| of(one));
+        let costs: Vec<(u32, u32)> = costs.filter_map(|one| one.costs(plan)).collect();
+        let add = |(own, same), costs: &(u32, u32)| (own + costs.0, same + costs.1);
+        (costs.len() as u64, costs.iter().fold((0, 0), add))
+    };
+    let (count, (own, same)) = sum(&|_| true);
+    if count == 0 {
+        return "- No scenario has both an MRF and a combination to compare it with.\n".to_string();
     }
-    let _ = writeln!(
-        text,
-        "The cheapest combinations of all scenarios take {own} FPR together, the same rate on all of these cameras takes {same}: \
-         {} % less.",
+    let mut text = format!(
+        "- The cheapest safe combinations take {own} FPR, added up over {}; the same rate on all of these cameras, the MRF, takes \
+         {same}: {} % less.",
+        counted(count, "scenario"),
         percent_less(own, same)
     );
-    let above = |one: &&Searched| one.mrf.safe_from() != Some(plan.combinations.tested()[0]);
-    let costs = found.scenarios.iter().filter(above);
-    let costs: Vec<(u32, u32)> = costs.filter_map(|one| one.costs(plan)).collect();
-    let (own, same) = costs
-        .iter()
-        .fold((0, 0), |(own, same), costs| (own + costs.0, same + costs.1));
-    if same > 0 {
-        text.truncate(text.trim_end().len());
-        let _ = writeln!(
+    let lowest = plan.combinations.tested()[0];
+    let (count, (own, same)) = sum(&|one| one.mrf.safe_from() != Some(lowest));
+    if count > 0 {
+        let _ = write!(
             text,
-            " In the {} of them whose MRF is above the lowest rate: {own} against {same}, {} % less.",
-            costs.len(),
+            " Over those with an MRF above {lowest} ({count}): {own} against {same}, {} % less.",
             percent_less(own, same)
         );
     }
-    text
+    text + "\n"
 }
 
 /// [%] by how much one sum is less than another.
@@ -118,24 +125,23 @@ fn runs(plan: &PerCamera, found: &Found) -> String {
     let every = plan.combinations.count() as u64 * found.scenarios.len() as u64;
     let most = every * plan.seeds;
     let mut text = format!(
-        "- The search tried {combinations} of {every} combinations, in {runs} runs: {settled} to find the combinations, {} to check \
-         that a higher rate harms nowhere. To try every combination would take up to {most}. ",
+        "- The search tried {combinations} of {every} combinations in {runs} runs: {settled} to find the slowest safe ones, {} to check \
+         that a higher rate harms nowhere. Every combination would take up to {most}. ",
         checked.runs
     );
-    if violations == 0 {
-        let _ = writeln!(
+    let _ = match violations {
+        0 => writeln!(
             text,
-            "Of the {} combinations checked none collides. That is no proof for those that were not tried.",
+            "None of the {} that were checked collides; that is no proof for those that were not tried.",
             checked.combinations
-        );
-    } else {
-        let _ = writeln!(
+        ),
+        _ => writeln!(
             text,
-            "Of the {} combinations checked {violations} collide although one with slower cameras does not: a higher rate can harm. \
-             The search went on from there; there may be more of them among those that were not tried.",
+            "Of the {} that were checked {violations} collide although one with a slower camera does not: a higher rate can harm. The \
+             search went on from there; there may be more of them among those that were not tried.",
             checked.combinations
-        );
-    }
+        ),
+    };
     text
 }
 
@@ -145,35 +151,32 @@ fn agreement(plan: &PerCamera, all: &BruteForce, searched: &Searched) -> String 
     let (effort, found) = (all.effort, searched.effort());
     let times = effort.runs as f64 / found.runs as f64;
     let mut text = format!(
-        "- In {name} every combination was tried: {} in {} runs, {times:.0} times those of the search, which took {}. ",
+        "- In {name} every combination was tried: {} in {} runs, {times:.1} times those of the search there, {}. ",
         effort.combinations, effort.runs, found.runs
     );
     let differences = all.differences(searched);
     if differences == 0 {
-        let _ = write!(
-            text,
-            "Both agree on each of them, and so on the {}. ",
-            if all.frontier.is_empty() {
-                "empty frontier"
-            } else {
-                "frontier"
-            }
-        );
+        text += "Both agree on which of them are safe, each and every one. ";
     } else {
         let ours: Vec<String> = all.frontier.iter().map(|one| spelt(plan, *one)).collect();
+        let ours = if ours.is_empty() {
+            "none".to_string()
+        } else {
+            listed(&ours)
+        };
         let _ = write!(
             text,
-            "THEY DO NOT AGREE: the search takes {differences} to be safe that are not. Safe and no slower are in truth: ({}). ",
-            ours.join("), (")
+            "THEY DO NOT AGREE: the search takes {differences} to be safe that are not. The slowest safe ones are in truth: {ours}. "
         );
     }
     let odd = all.free_but_not_safe().len();
     if odd == 0 {
-        text += "Nowhere does a higher rate lead to a collision that a lower one has not.\n";
+        text += "Nowhere does a higher rate bring a collision that a lower one does not have.\n";
     } else {
         let _ = writeln!(
             text,
-            "{odd} are free of collisions although one in which no camera is slower collides: a higher rate can harm."
+            "To {} free of collisions there is one that collides in which no camera is slower: a higher rate can harm.",
+            counted(odd as u64, "combination")
         );
     }
     text
@@ -189,3 +192,6 @@ impl Searched {
         Some((plan.combinations.sum(self.cheapest?), rate * cameras))
     }
 }
+
+#[cfg(test)]
+mod tests;

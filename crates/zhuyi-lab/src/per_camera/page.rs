@@ -9,6 +9,13 @@ use crate::rates::group;
 use crate::statistics::bound_without_event;
 use crate::text::{cells, counted, listed, markdown_table, spans};
 
+/// What is looked for.
+const ABOUT: &str = "\
+Each of these cameras has a rate of its own. A combination of rates is safe when it and all in which no camera is slower are free of \
+collisions, with every seed. Looked for are the slowest safe ones: those that are no longer safe with any camera at its next lower \
+rate. Together they are the Pareto frontier of the rates.
+";
+
 /// `mrf_per_camera.md`.
 pub(super) fn markdown(plan: &PerCamera, found: &Found) -> String {
     let mut sections = vec![
@@ -32,7 +39,7 @@ pub(super) fn markdown(plan: &PerCamera, found: &Found) -> String {
         ));
     }
     format!(
-        "# A minimum required rate for each camera\n\nWritten by `{}`: {}.\n\n{}",
+        "# A minimum required rate for each camera\n\nWritten by `{}`: {}.\n\n{ABOUT}\n{}",
         plan.command,
         settings(plan),
         sections.join("\n")
@@ -89,8 +96,13 @@ fn frontiers(plan: &PerCamera, found: &Found) -> String {
     let all = &plan.combinations;
     let mut header = cells(&["scenario", "MRF"]);
     header.extend(plan.names().into_iter().map(String::from));
-    header.extend(cells(&["sum", "share", "MRF on all", "less [%]"]));
     let highest = all.sum(all.count() - 1);
+    header.extend([
+        "sum".to_string(),
+        format!("of {highest}"),
+        format!("MRF x {}", all.cameras()),
+        "less [%]".to_string(),
+    ]);
     let mut lines = Vec::new();
     for (scenario, one) in plan.scenarios.iter().zip(&found.scenarios) {
         let same = one.mrf.safe_from().map(|rate| rate * all.cameras() as u32);
@@ -123,16 +135,14 @@ fn frontiers(plan: &PerCamera, found: &Found) -> String {
 }
 
 fn about_frontiers(plan: &PerCamera, found: &Found) -> String {
-    let all = &plan.combinations;
-    let tested = all.tested();
+    let tested = plan.combinations.tested();
     let mut text = format!(
-        "MRF: the same rate on all cameras. Then each combination at which, and at every one in which no camera is slower, none of {} \
-         collided, and in which no camera can be slowed to the next lower rate and keep that; bold, where there are several: the \
-         cheapest. Sum: its rates in FPR, of the named cameras alone; as a share of all of them at {} FPR. MRF on all: what the \
-         same rate on all of them takes; less: what the combination saves of that. That no seed collided leaves a chance of a \
-         collision below {:.0} % (with 95 % confidence), not of zero; and what a camera needs is told of these scenarios alone.\n",
-        counted(plan.seeds, "seed"),
+        "Each line has a slowest safe combination, in FPR; bold, where a scenario has several: the cheapest. Sum: of these cameras; beside \
+         it, as a share of what they take at {} FPR. Then what the same rate on all of them takes, the MRF, and by how much the sum is \
+         less. That none of {} collided leaves a chance of a collision below {:.0} % (with 95 % confidence), not of zero; and what a \
+         camera needs is told of these scenarios alone.\n",
         tested[tested.len() - 1],
+        counted(plan.seeds, "seed"),
         100.0 * bound_without_event(plan.seeds as u32)
     );
     let first = found.scenarios.iter().enumerate();
@@ -153,7 +163,7 @@ fn runs(plan: &PerCamera, found: &Found) -> String {
         "checked",
         "combinations",
         "runs",
-        "every one, at most",
+        "every one, up to",
         "checked that collide",
         "free but not safe",
     ]);
@@ -184,15 +194,19 @@ fn runs(plan: &PerCamera, found: &Found) -> String {
 }
 
 fn about_runs(plan: &PerCamera) -> String {
+    let all = &plan.combinations;
     format!(
-        "In runs, but for combinations and the last two columns. Same rate on all: from the highest rate down to the first that \
-         collides, which is the MRF. Settled: a combination that may be the slowest is tried; where it collides, each camera is raised \
-         as far as the collision goes, which rules out every combination that is at most that one. This is proof. What is not ruled \
-         out is taken to be free, since a higher rate should not harm. Checked: that it does not, next to the combinations found, along \
-         each camera, and at places spread over all. Every one, at most: {} combinations, {} each; those that collide end earlier. \
-         Free but not safe: tried and free of collisions, although a combination in which no camera is slower collides.\n",
-        plan.combinations.count(),
-        counted(plan.seeds, "seed")
+        "In runs, but for combinations and the last two columns. Same rate on all: from the highest down to the first that collides, \
+         which gives the MRF. Settled: what may be a slowest safe combination is tried; where it collides, each camera is raised as far \
+         as the collision goes, and that rules out all in which no camera is faster. This is proof. What is not ruled out is taken to \
+         be free of collisions, as a higher rate should not harm. Checked: that it does not, next to the combinations found, along each \
+         camera, and at places spread over all. Every one: {} combinations of {}, of which those that collide take fewer. Free but not \
+         safe: tried and free of collisions, although one in which no camera is slower collides.\n\n\
+         The paper (related work) says that the grid search of Suraksha \"could easily become infeasible in multi-camera setting\". Every \
+         combination is just that, as each further camera makes it {} times as much.\n",
+        all.count(),
+        counted(plan.seeds, "run"),
+        all.tested().len()
     )
 }
 
@@ -221,21 +235,16 @@ fn every_combination(plan: &PerCamera, all: &BruteForce) -> String {
     );
     let odd = all.free_but_not_safe();
     if !odd.is_empty() {
-        let shown: Vec<String> = odd
-            .iter()
-            .take(SHOWN)
-            .map(|one| spelt(plan, *one))
-            .collect();
-        let rest = if odd.len() > SHOWN {
-            ", and so on (all of them in the .csv)"
-        } else {
-            ""
-        };
+        let shown = odd.iter().take(SHOWN).map(|one| spelt(plan, *one));
+        let mut shown: Vec<String> = shown.collect();
+        if odd.len() > SHOWN {
+            shown.push("the rest in the .csv".to_string());
+        }
         let _ = writeln!(
             text,
-            "\nFree of collisions, although a combination in which no camera is slower collides: {}: ({}){rest}.",
+            "\nFree of collisions, although a combination in which no camera is slower collides: {} ({}).",
             odd.len(),
-            shown.join("), (")
+            listed(&shown)
         );
     }
     text

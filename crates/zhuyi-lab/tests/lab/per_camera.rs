@@ -98,7 +98,7 @@ fn law_the_same_files_at_one_and_two_threads() {
          (front_60 goes with front_120, rear keeps 30 and is not counted), 1 seed, root seed 0.",
         "## How slow each camera may be",
         "## Every combination of cut-out",
-        "Both agree on each of them",
+        "Both agree on which of them are safe",
         "One of the runs again: `zhuyi run cut-out --fpr front_120=",
     ] {
         assert!(page.contains(words), "{words} is not in\n{page}");
