@@ -60,22 +60,19 @@ fn idle(plan: &PerCamera, found: &Found) -> String {
         listed(&names.collect::<Vec<_>>())
     };
     let lowest = plan.combinations.tested()[0];
-    match (idle.as_slice(), needed.as_slice()) {
-        ([], _) => String::new(),
-        (_, []) => format!(
-            "{} never need more than {lowest} FPR, the lowest rate tested.",
-            named(&idle)
-        ),
-        _ => {
-            let need = if idle.len() == 1 { "needs" } else { "need" };
-            let does = if needed.len() == 1 { "does" } else { "do" };
-            format!(
-                "{} never {need} more than {lowest} FPR, the lowest rate tested; {} {does}.",
-                named(&idle),
-                named(&needed)
-            )
-        }
+    if idle.is_empty() {
+        return String::new();
     }
+    let subject = match idle.as_slice() {
+        [_] => format!("The camera {} never needs", named(&idle)),
+        _ => format!("The cameras {} never need", named(&idle)),
+    };
+    let others = match needed.as_slice() {
+        [] => String::new(),
+        [_] => format!("; {} does", named(&needed)),
+        _ => format!("; {} do", named(&needed)),
+    };
+    format!("{subject} more than {lowest} FPR, the lowest rate tested{others}.")
 }
 
 /// The cheapest combinations against the same rate on all cameras.

@@ -77,7 +77,7 @@ fn hand_costs_and_idle_cameras() {
     let told = told(&plan, scenarios, None);
     for words in [
         "In 2 of 2 scenarios there is one slowest safe combination",
-        "left and right never need more than 1 FPR, the lowest rate tested; front_120 does.",
+        "The cameras left and right never need more than 1 FPR, the lowest rate tested; front_120 does.",
         // 3 + 1 + 1 and 1 + 1 + 1 against 3 x 3 and 3 x 1.
         "take 8 FPR, added up over 2 scenarios; the same rate on all of these cameras, the MRF, takes 12: 33 % less.",
         "Over those with an MRF above 1 (1): 5 against 9, 44 % less.",
