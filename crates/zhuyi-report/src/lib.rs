@@ -10,4 +10,4 @@
 pub mod demand;
 pub mod palette;
 
-pub use demand::figures;
+pub use demand::{feedback, figures};

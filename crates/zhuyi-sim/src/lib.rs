@@ -20,6 +20,7 @@ mod pipeline;
 pub mod recorded;
 pub mod scheduled;
 pub mod simulation;
+pub mod surroundings;
 pub mod trace;
 pub mod trace_csv;
 
@@ -29,4 +30,5 @@ pub use online::{Asked, Online};
 pub use outcome::{Collision, Extremes, Frames, Outcome, Run};
 pub use scheduled::{Allocation, Scheduled, equal_parts, known_future};
 pub use simulation::{STEP, Simulation};
+pub use surroundings::{believed, surroundings};
 pub use trace::Trace;

@@ -93,7 +93,7 @@ pub fn records(plan: &Plan, came: &[Came]) -> Vec<Record> {
                 Frames {
                     exposed: 10,
                     processed: 9,
-                    dropped: 0
+                    dropped: 0,
                 };
                 cameras
             ],
