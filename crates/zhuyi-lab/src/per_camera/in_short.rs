@@ -32,7 +32,7 @@ fn frontiers(plan: &PerCamera, found: &Found) -> String {
     let several = found.scenarios.len() - single - none;
     let scenarios = counted(found.scenarios.len() as u64, "scenario");
     let mut text = format!(
-        "- In {single} of {scenarios} there is one slowest safe combination, so that no camera can be slowed at the cost of another. "
+        "- In {single} of {scenarios} there is one slowest safe combination, so that no camera can be slowed by making another faster. "
     );
     if several > 0 {
         let _ = write!(text, "In {several} there are several. ");
