@@ -33,17 +33,14 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// A whole moment, every rival, the criticality of it and the phantoms around it: two actors with two futures each, two
-/// cameras at two rates.
+/// A whole moment, every rival and the criticality of it: two actors with two futures each, two cameras at two rates.
 #[test]
 fn law_the_rust_face_allocates_nothing() {
-    use zhuyi_core::{ActorId, Body, Camera, Footprint, Forecast, Frenet, Pose};
+    use zhuyi_core::{ActorId, Camera, Footprint, Forecast, Pose};
     use zhuyi_estimator::criticality::{Limits, criticality};
     use zhuyi_estimator::rivals::Rivals;
     use zhuyi_estimator::samples::{Sample, trajectory};
-    use zhuyi_estimator::{
-        Ego, Estimator, Future, Moment, Params, PhantomParams, Seen, Surroundings, Watch,
-    };
+    use zhuyi_estimator::{Ego, Estimator, Future, Moment, Params, Seen, Watch};
 
     let footprint = Footprint {
         length: 4.5,
@@ -100,22 +97,6 @@ fn law_the_rust_face_allocates_nothing() {
         seen: &seen,
         rig: &rig,
     };
-    let body = |s: f64, d: f64| Body {
-        footprint,
-        road: Frenet { s, d },
-        pose: Pose::new(s, d, 0.0),
-        speed: 20.0,
-        accel: 0.0,
-        s_rate: 20.0,
-        d_rate: 0.0,
-    };
-    let (this, bodies) = (body(0.0, 0.0), [body(45.0, 0.0), body(45.0, 3.5)]);
-    let around = Surroundings {
-        ego: &this,
-        bodies: &bodies,
-        path: |s: f64| Pose::new(s, 0.0, 0.0),
-    };
-    let phantoms = PhantomParams::default();
     let (rivals, limits) = (Rivals::default(), Limits::default());
     for params in [
         Params::default(),
@@ -137,14 +118,61 @@ fn law_the_rust_face_allocates_nothing() {
             }
             let _ = criticality(&ego, footprint, &future, &limits);
         }
-        let asked = demands[0].actor;
-        estimator.add_phantoms(&around, &rig, &phantoms, &mut demands);
-        let count = around.phantoms(&rig, &phantoms).count();
         assert_eq!(ALLOCATIONS.get(), before);
 
-        assert_eq!((told, asked), (2, Some(ActorId(0))));
-        assert!(count == 1 && demands[0].phantom);
+        assert_eq!((told, demands[0].actor), (2, Some(ActorId(0))));
     }
+}
+
+/// The phantoms of a scene, all of them and those that cameras need: two cars ahead, a camera to the front and one to the
+/// left.
+#[test]
+fn law_phantoms_allocate_nothing() {
+    use zhuyi_core::{Body, Camera, Footprint, Frenet, Pose};
+    use zhuyi_estimator::{Estimator, Params, PhantomParams, Surroundings, Watch};
+
+    let footprint = Footprint {
+        length: 4.5,
+        width: 1.8,
+    };
+    let body = |s: f64, d: f64| Body {
+        footprint,
+        road: Frenet { s, d },
+        pose: Pose::new(s, d, 0.0),
+        speed: 20.0,
+        accel: 0.0,
+        s_rate: 20.0,
+        d_rate: 0.0,
+    };
+    let camera = |yaw: f64| Camera {
+        name: String::new(),
+        forward: 0.0,
+        left: 0.0,
+        yaw,
+        fov: 2.0,
+        range: 150.0,
+        analysed: true,
+    };
+    let (front, left) = (camera(0.0), camera(1.5));
+    let rig = [&front, &left].map(|camera| Watch {
+        camera,
+        current_latency: 1.0 / 30.0,
+    });
+    let (ego, bodies) = (body(0.0, 0.0), [body(45.0, 0.0), body(45.0, 3.5)]);
+    let around = Surroundings {
+        ego: &ego,
+        bodies: &bodies,
+        path: |s: f64| Pose::new(s, 0.0, 0.0),
+    };
+    let (estimator, params) = (Estimator::new(Params::default()), PhantomParams::default());
+    let mut demands = [estimator.quiet(); 2];
+
+    let before = ALLOCATIONS.get();
+    estimator.add_phantoms(&around, &rig, &params, &mut demands);
+    let count = around.phantoms(&rig, &params).count();
+    assert_eq!(ALLOCATIONS.get(), before);
+
+    assert!(count == 1 && demands[0].phantom);
 }
 
 #[test]
