@@ -12,11 +12,11 @@
 
 pub mod best_static;
 pub mod drive;
-mod feedback;
+pub mod feedback;
 mod files;
 mod page;
-mod responses;
-mod smallest;
+pub mod responses;
+pub mod smallest;
 pub mod tally;
 
 use rayon::prelude::*;

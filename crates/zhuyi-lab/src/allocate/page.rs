@@ -59,7 +59,7 @@ fn ranked<'a>(plan: &'a Allocating, allocated: &'a Allocated) -> Vec<Ranked<'a>>
 pub(super) fn markdown(plan: &Allocating, allocated: &Allocated) -> String {
     let ranked = ranked(plan, allocated);
     let mut sections = vec![
-        format!("## In short\n\n{}", in_short(plan, &ranked).join("\n")),
+        format!("## In short\n\n{}\n", in_short(plan, &ranked).join("\n")),
         format!(
             "## Leaderboard\n\n{}\n{}",
             leaderboard(plan, &ranked),
@@ -175,9 +175,16 @@ fn in_short(plan: &Allocating, ranked: &[Ranked<'_>]) -> Vec<String> {
         _ => "- It is not safe with less than `uniform` is.".to_string(),
     };
     lines.push(verdict);
-    for name in ["best-static", "clairvoyant"] {
+    for (who, name) in [
+        ("The paper's own rule", "proportional"),
+        (
+            "Fixed rates, found by driving these very drives",
+            "best-static",
+        ),
+        ("Who knows the future", "clairvoyant"),
+    ] {
         if let Some(other) = ranked.iter().find(|ranked| ranked.policy == name) {
-            lines.push(format!("- `{name}`: {}.", says(other)));
+            lines.push(format!("- {who}, `{name}`: {}.", says(other)));
         }
     }
     let never: Vec<&str> = ranked
