@@ -4,6 +4,7 @@ use std::io;
 use std::path::PathBuf;
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use zhuyi_lab::committed::CommittedError;
 use zhuyi_scenario::{Invalid, Violation};
 
 use crate::argument::Misreading;
@@ -30,6 +31,8 @@ pub enum Problem {
         /// Why.
         source: io::Error,
     },
+    /// A result to build on that is missing or something else.
+    Result(CommittedError),
     /// A place that cannot be written to.
     Write {
         /// Which.
@@ -46,7 +49,8 @@ impl Problem {
             Self::Argument(_) | Self::File(_) | Self::Trace { .. } => 2,
             // Bytes that are no text are bad input, however they came.
             Self::Read { source, .. } if source.kind() == io::ErrorKind::InvalidData => 2,
-            Self::Read { .. } | Self::Write { .. } => 4,
+            Self::Result(CommittedError::Content { .. }) => 2,
+            Self::Read { .. } | Self::Write { .. } | Self::Result(_) => 4,
         }
     }
 
@@ -59,6 +63,7 @@ impl Problem {
                 trace(path, violation, &Renderer::styled())
             }
             Self::Trace { path, violation } => trace(path, violation, &Renderer::plain()),
+            Self::Result(error) => format!("error: {error}"),
             Self::Read { path, source } => {
                 format!("error: cannot read `{}`: {source}", path.display())
             }

@@ -1,15 +1,27 @@
-//! The paper's claims on the table, each examined: holds, fails, or a figure to look at (reading, section 4, claims 1 to 4).
+//! The paper's claims, each examined: holds, fails, or a figure to look at (reading, section 4).
 //!
-//! A claim that does not hold is a result like any other. The claims on the course of the demand over time, on sensitivity, work and
-//! throughput are other commands' matter.
+//! ```text
+//!  Table, Reruns ──▶ [examine]: claims 1 to 4, on the table
+//!  Plan ──a few runs at its highest rate──▶ [examine_runs]: claims 5 to 9, on the course of the demand over time, on
+//!                                           sensitivity, work and throughput; `zhuyi figures` draws the same numbers
+//! ```
+//!
+//! A claim that does not hold is a result like any other.
 
+mod course;
 mod distance;
+mod foresight;
 mod fraction;
 mod required;
 mod safe;
+mod sensitivity;
+mod throughput;
+mod work;
 
 use std::fmt::{self, Write as _};
 
+use crate::course::{self as courses, Course};
+use crate::progress::Progress;
 use crate::reproduce::Plan;
 use crate::reruns::Reruns;
 use crate::table::Table;
@@ -17,7 +29,7 @@ use crate::table::Table;
 /// A claim and what became of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Claim {
-    /// Its number in the reading's section 4: `1`, `2a`, `2b`, `3`, `4`.
+    /// Its number in the reading's section 4, with a letter where it says several things: `1`, `2a`, `2b`.
     pub number: &'static str,
     /// What is claimed.
     pub title: &'static str,
@@ -67,10 +79,28 @@ pub fn examine(plan: &Plan, table: &Table, reruns: &Reruns) -> Vec<Claim> {
     ]
 }
 
+/// Examines claims 5 to 9, on runs of its own with the plan's seeds.
+pub fn examine_runs(plan: &Plan, progress: &dyn Progress) -> Vec<Claim> {
+    progress.start("runs step by step", courses::SHOWN.len() as u64 + 1);
+    let of = |scenario: &str| {
+        let found = courses::courses(plan, scenario).unwrap_or_default();
+        progress.step();
+        found
+    };
+    let courses: Vec<Vec<Course>> = courses::SHOWN.into_iter().map(of).collect();
+    let mut claims = vec![course::front(&courses), course::sides(&courses)];
+    claims.extend(sensitivity::claims(plan));
+    claims.push(work::claim(plan, &courses));
+    claims.push(foresight::claim(plan));
+    progress.step();
+    claims.push(throughput::claim());
+    claims
+}
+
 /// `claims.md`.
 pub fn markdown(plan: &Plan, claims: &[Claim]) -> String {
     let mut text = format!(
-        "# Claims 1 to 4\n\nWritten by `{}`: {}.\n",
+        "# Claims 1 to 9\n\nWritten by `{}`: {}.\n",
         plan.command(),
         plan.spelt()
     );

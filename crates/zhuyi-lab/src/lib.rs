@@ -22,9 +22,12 @@ pub mod beyond;
 #[doc = include_str!("calibration.md")]
 pub mod calibration {}
 pub mod claims;
+pub mod committed;
 pub mod compare;
+pub mod course;
 pub mod error;
 pub mod estimators;
+pub mod foresight;
 pub mod manifest;
 pub mod mrf;
 pub mod paper;
@@ -36,11 +39,13 @@ pub mod reruns;
 pub mod results;
 pub mod robustness;
 pub mod runs;
+pub mod sensitivity;
 pub mod statistics;
 pub mod summary;
 pub mod sweep;
 pub mod table;
 mod text;
+pub mod throughput;
 
 pub use allocate::{Allocating, Budgets, allocate};
 pub use beyond::beyond;

@@ -4,6 +4,7 @@
 //!  Plan ──▶ sweep ──▶ Table ─┬────────────────▶ table1.md, table1.csv
 //!                │           └─▶ claims ──────▶ claims.md
 //!                └─▶ reruns at the rates asked for ─▶ runs.csv          manifest.json
+//!       └──a few runs step by step, for claims 5 to 9 ─▶ claims.md
 //! ```
 //! Nothing here reads a clock, a path or the machine: the same plan makes the same bytes.
 
@@ -110,6 +111,16 @@ impl Plan {
         }
     }
 
+    /// [Hz] the highest of its rates.
+    pub fn highest_rate(&self) -> u32 {
+        self.rates.last().copied().unwrap_or(1)
+    }
+
+    /// The place of a scenario among those of the plan.
+    pub fn place(&self, scenario: &str) -> Option<usize> {
+        self.scenarios.iter().position(|one| one.name == scenario)
+    }
+
     /// Panics where the docs of its fields are not heeded.
     pub(crate) fn assert_complete(&self) {
         assert!(
@@ -163,7 +174,8 @@ pub fn reproduce(plan: &Plan, progress: &dyn Progress) -> Results {
     let records = experiment.run(&cells, |cell| put_to(cell, &estimators), || progress.step());
     let table = Table::new(plan, &records);
     let reruns = Reruns::new(plan, &records, progress);
-    let claims = claims::examine(plan, &table, &reruns);
+    let mut claims = claims::examine(plan, &table, &reruns);
+    claims.extend(claims::examine_runs(plan, progress));
     let parts = [
         ("sweep", records.as_slice()),
         ("rerun_largest", &reruns.largest),

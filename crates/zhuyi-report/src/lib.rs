@@ -2,6 +2,7 @@
 //!
 //! ```text
 //!  zhuyi-lab ── Comparison ──▶ [demand] ──▶ figures/beyond-phantom.svg ..
+//!  zhuyi-lab ── Course, Map, .. ──▶ [plots] ──▶ figures/sensitivity.svg, .csv ..
 //! ```
 //!
 //! A figure is pure: the same numbers make the same bytes. Colours are those of Okabe and Ito, which people with any
@@ -9,5 +10,6 @@
 
 pub mod demand;
 pub mod palette;
+pub mod plots;
 
 pub use demand::{feedback, figures};

@@ -6,6 +6,7 @@ mod check;
 mod compare;
 mod delivery;
 mod estimate;
+mod figures;
 mod grid;
 mod list;
 mod mrf;
@@ -81,6 +82,8 @@ pub enum Command {
     Allocate(allocate::Arguments),
     /// See what the estimator's options beyond the paper change
     Beyond(beyond::Arguments),
+    /// Draw the results, each figure with its numbers as CSV beside it
+    Figures(figures::Arguments),
 }
 
 impl Command {
@@ -100,6 +103,7 @@ impl Command {
             Self::Compare(typed) => Box::new(typed.meant()?),
             Self::Allocate(typed) => Box::new(typed.meant()?),
             Self::Beyond(typed) => Box::new(typed.meant()?),
+            Self::Figures(typed) => Box::new(typed.meant()?),
         })
     }
 }
