@@ -12,8 +12,7 @@ use rayon::prelude::*;
 use zhuyi_core::ActorId;
 use zhuyi_sim::{Draws, Hindsight, Outcome, Simulation};
 
-use crate::estimators::TABLE;
-use crate::estimators::VARIANTS;
+use crate::estimators::{TABLE, VARIANTS};
 use crate::rates::uniform;
 use crate::reproduce::Plan;
 
@@ -146,5 +145,73 @@ impl Course {
     pub fn braking_from(&self, decel: f64) -> Option<f64> {
         let brakes = |step: &&Step| step.accel < -decel;
         self.steps.iter().find(brakes).map(|step| step.time)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn step(time: f64, accel: f64, latency: f64) -> Step {
+        Step {
+            time,
+            accel,
+            latencies: vec![latency],
+        }
+    }
+
+    #[test]
+    fn hand_a_peak_is_from_its_first_to_its_last_step() {
+        let course = Course {
+            scenario: "x".into(),
+            rate: 30,
+            seed: 0,
+            cameras: vec!["front_120".into()],
+            steps: vec![
+                step(0.0, 0.0, 1.0),
+                step(0.1, -0.6, 0.2),
+                step(0.2, -3.0, 0.3),
+                step(0.3, -3.0, 0.2),
+                step(0.4, -1.0, 1.0),
+            ],
+            evaluations: 0,
+            actors: 1,
+        };
+        let (latency, first, last) = (0.2, 0.1, 0.3);
+        assert_eq!(
+            course.peak(0),
+            Some(Peak {
+                latency,
+                first,
+                last
+            })
+        );
+        assert_eq!(course.hardest_braking(), Some((0.2, -3.0)));
+        assert_eq!(course.braking_from(0.5), Some(0.1));
+        let nothing = Course {
+            steps: Vec::new(),
+            ..course
+        };
+        assert_eq!((nothing.peak(0), nothing.hardest_braking()), (None, None));
+    }
+
+    /// The table's estimate of a run is the peak of its course.
+    #[test]
+    fn law_the_peak_is_what_the_sweep_says() {
+        let mut plan = Plan::embedded().unwrap();
+        plan.rates = vec![30];
+        let scenario = plan.place("cut-out-fast").unwrap();
+        let course = course(&plan, scenario, 3).unwrap();
+        let cell = crate::sweep::Cell {
+            scenario,
+            rates: uniform(&plan.system, 30),
+            seed: 3,
+        };
+        let estimator = VARIANTS[TABLE].estimator(&plan.system);
+        let record = plan.experiment().record(&cell, &[estimator]);
+        assert_eq!(
+            1.0 / course.peak(0).unwrap().latency,
+            record.peaks[0].largest
+        );
     }
 }

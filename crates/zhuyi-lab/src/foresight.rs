@@ -65,6 +65,13 @@ pub fn foresights(plan: &Plan, scenario: &str) -> Option<Vec<Foresight>> {
     Some(all.into_iter().flatten().collect())
 }
 
+/// The same plan with the planner's predictor in the loop: one future for each actor, in which it goes on as it does.
+pub fn of_one_future(plan: &Plan) -> Plan {
+    let mut other = plan.clone();
+    other.system.online.predictor = plan.system.predictor;
+    other
+}
+
 /// The run of a scenario, by its place, with a seed; none where it collides.
 pub fn foresight(plan: &Plan, place: usize, seed: u64) -> Option<Foresight> {
     let (scenario, system) = (&plan.scenarios[place], &plan.system);
@@ -161,5 +168,38 @@ fn track(actor: ActorId, time: SimTime, body: &Body) -> Track {
         d_rate: body.d_rate,
         s_deviation: 0.0,
         d_deviation: 0.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of the futures that the default predictor sees, the one in which the actor brakes hard asks for more than the grid has;
+    /// one that goes on as it does asks for less.
+    #[test]
+    fn hand_a_future_that_brakes_is_what_asks_for_everything() {
+        let plan = Plan::embedded().unwrap();
+        let place = plan.place(SHOWN).unwrap();
+        let usual = foresight(&plan, place, 0).unwrap();
+        assert_eq!((usual.decisions.len(), usual.largest[0]), (300, 30.0));
+        assert!(usual.out_of_reach > 0);
+        let going_on = foresight(&of_one_future(&plan), place, 0).unwrap();
+        assert!(going_on.largest[0] < 10.0, "{:?}", going_on.largest);
+        assert_eq!(going_on.out_of_reach, 0);
+    }
+
+    /// Before anyone changes lanes all three say the same: the most that a camera may take.
+    #[test]
+    fn law_nothing_is_asked_for_while_nobody_is_in_the_way() {
+        let plan = Plan::embedded().unwrap();
+        let run = foresight(&plan, plan.place(SHOWN).unwrap(), 0).unwrap();
+        let Decision {
+            offline,
+            predicted,
+            online,
+            ..
+        } = run.decisions[0];
+        assert_eq!([offline, predicted, online], [1.0; 3]);
     }
 }

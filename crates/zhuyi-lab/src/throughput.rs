@@ -11,8 +11,8 @@
 //! | cameras | 12 | the paper |
 //! | Xavier, Orin | 30, 275 TOPS | NVIDIA's own figures for DRIVE AGX Xavier and Jetson AGX Orin |
 //!
-//! Sources: paper, introduction; V. J. Reddi et al., "MLPerf Inference Benchmark", ISCA 2020. Left out: that no chip
-//! sustains its nominal figure, so a demand below it may still be too much; radars, lidars, planning.
+//! Sources: paper, introduction; V. J. Reddi et al., "MLPerf Inference Benchmark", ISCA 2020. Left out: how
+//! much of a nominal figure a chip sustains, so a demand below it may still be too much; radars, lidars, planning.
 
 /// Operations of one frame of the detector.
 pub const FRAME: f64 = 433e9;

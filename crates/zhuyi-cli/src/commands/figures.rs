@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use zhuyi_estimator::Estimator;
 use zhuyi_lab::committed::{CommittedError, Slowest, Spent, TableRow, slowest, spent, table};
 use zhuyi_lab::course::SHOWN;
+use zhuyi_lab::foresight::Foresight;
 use zhuyi_lab::{Plan, Results, course, foresight, sensitivity};
 use zhuyi_report::plots::{self, File};
 
@@ -101,13 +102,21 @@ impl Figures {
             .filter_map(|name| course::course(plan, plan.place(name)?, 0));
         let latencies = courses.filter_map(|course| plots::latencies::files(&course));
         files.extend(latencies.flatten());
-        let online = plan.place(foresight::SHOWN);
-        let online = online.and_then(|place| foresight::foresight(plan, place, 0));
-        files.extend(online.iter().flat_map(plots::online::files));
+        if let Some((run, one_future)) = online(plan) {
+            files.extend(plots::online::files(&run, &one_future));
+        }
         files.extend(plots::sensitivity::files(&sensitivity::maps(&estimator)));
         files.extend(plots::estimates::files(&self.table));
         files.extend(plots::budget::files(&self.spent));
         files.extend(plots::per_camera::files(&self.slowest));
         files
     }
+}
+
+/// The run with the estimate beside it, and the same with one future for each actor; none where they collide.
+fn online(plan: &Plan) -> Option<(Foresight, Foresight)> {
+    let place = plan.place(foresight::SHOWN)?;
+    let one_future = foresight::of_one_future(plan);
+    let of = |plan| foresight::foresight(plan, place, 0);
+    of(plan).zip(of(&one_future))
 }

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `files` | `list`, `show`, `check`, `new` |
 //! | `one_run` | `run`: text, JSON, trace, rates, settings |
-//! | `many_runs` | `mrf`, `sweep`, `reproduce`, `robustness`, `compare`, `beyond` |
+//! | `many_runs` | `mrf`, `sweep`, `reproduce`, `robustness`, `compare`, `beyond`, `figures` |
 //! | `recordings` | `estimate`: traces of runs and of real traffic, bad rows |
 //! | `refusals` | bad input: exit code, place, rule, hint |
 //! | `places` | where results go: unwritable, full, closed, interrupted |

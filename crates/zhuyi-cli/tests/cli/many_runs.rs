@@ -1,4 +1,4 @@
-//! `mrf` with and without `--per-camera`, `sweep`, `reproduce`, `robustness`, `compare`, `beyond`, with few runs.
+//! `mrf` with and without `--per-camera`, `sweep`, `reproduce`, `robustness`, `compare`, `beyond`, `figures`, with few runs.
 
 use crate::Bench;
 use zhuyi_scenario::embedded;
@@ -166,6 +166,52 @@ fn hand_beyond_writes_its_file_and_its_figures() {
     ];
     assert_eq!(bench.names("out/figures"), figures);
     bench.out("beyond --fpr 30 --seeds 1 --out out --check");
+}
+
+#[test]
+fn law_figures_are_drawn_of_results_that_are_there_and_reproduced() {
+    let bench = Bench::new();
+    std::fs::create_dir(bench.path("out")).unwrap();
+    let ran = bench.zhuyi("figures --out out");
+    assert_eq!(ran.code, Some(4));
+    for told in [
+        "`out/table1.csv` is missing; `zhuyi reproduce` makes it",
+        "`out/allocation.csv` is missing; `zhuyi allocate --out results` makes it",
+        "`out/mrf_per_camera.csv` is missing; `zhuyi mrf --per-camera --out results` makes it",
+    ] {
+        assert!(ran.err.contains(told), "{}", ran.err);
+    }
+    bench.write(
+        "out/table1.csv",
+        "scenario,quantity,solver,ours,paper\ncut-in,mrf,,1,1\ncut-in,est_2,exact,1.9,3.9\n",
+    );
+    bench.write(
+        "out/allocation.csv",
+        "scenario,policy,drives,collisions,budget_fps\nall,uniform,90,forty,5\n",
+    );
+    bench.write(
+        "out/mrf_per_camera.csv",
+        "scenario,method,quantity,front_120_hz,left_hz,right_hz,value\ncut-in,search,mrf_hz,,,,1\n\
+         cut-in,search,frontier,1,1,1,3\n",
+    );
+    let ran = bench.zhuyi("figures --out out");
+    assert_eq!(ran.code, Some(2));
+    assert!(
+        ran.err
+            .contains("line 2: `forty` is no number for `collisions`"),
+        "{}",
+        ran.err
+    );
+    let good = bench.read("out/allocation.csv").replace("forty", "40");
+    bench.write("out/allocation.csv", &good);
+    let out = bench.out("figures --out out");
+    assert!(out.starts_with("9 figures, each with its CSV\n"), "{out}");
+    assert_eq!(bench.names("out/figures").len(), 18);
+    bench.out("figures --out out --check");
+    bench.write("out/allocation.csv", &good.replace("40", "41"));
+    let ran = bench.zhuyi("figures --out out --check");
+    assert_eq!(ran.code, Some(1));
+    assert!(ran.err.contains("figures/budget.csv:2"), "{}", ran.err);
 }
 
 #[test]

@@ -23,7 +23,7 @@ pub(super) fn claim() -> Claim {
         details: format!(
             "{}\nA calculation, not a measurement: {:.0} GOP a frame (SSD-Large, MLPerf) x {:.1} for further models x {CAMERAS} cameras x \
              {FULL_RATE:.0} FPR. The paper's sentence, more than a state-of-the-art chip offers, is true of Xavier and not of Orin; the \
-             offers are nominal, which no chip sustains. Drawn: figures/throughput.svg (`zhuyi figures`).\n",
+             offers are their maker's nominal figures. Drawn: figures/throughput.svg (`zhuyi figures`).\n",
             markdown_table(&header, &lines),
             FRAME / 1e9,
             1.0 + FURTHER_MODELS

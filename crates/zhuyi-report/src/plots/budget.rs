@@ -4,12 +4,13 @@
 //! zero. The CSV has all budgets and policies.
 
 use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, VPos};
 use zhuyi_lab::committed::Spent;
 
 use super::File;
 use super::sheet::{
-    Area, Axes, Chart, Failure, Mark, Style, TITLE, axes, csv, font, line, marks, sample, svg,
-    whole,
+    Area, Axes, Chart, Failure, Mark, NOTE, Style, TITLE, axes, csv, font, letters, line, marks,
+    sample, svg, whole,
 };
 use crate::palette::{BLACK, BLUE, GREEN, LIGHT_BLUE, ORANGE, PURPLE, VERMILION};
 
@@ -131,7 +132,17 @@ fn draw(spent: &[Spent], area: &Area<'_>) -> Result<(), Failure> {
         width: 2,
         dashes: None,
     };
-    sample(area, (650, 630), "others (in the CSV)", (Some(grey), None))
+    sample(area, (650, 630), "others (in the CSV)", (Some(grey), None))?;
+    let short = spent
+        .iter()
+        .any(|one| is_named(&one.policy) && one.budget == until && one.collisions > 0);
+    let note = if short {
+        String::new()
+    } else {
+        format!("from {until} FPR on: 0 of those named")
+    };
+    let style = letters(NOTE, &BLACK, HPos::Left, VPos::Center);
+    area.draw(&Text::new(note, (650, 660), style))
 }
 
 /// The policies that are not named, once each.

@@ -15,9 +15,6 @@ use crate::palette::{BLACK, BLUE, GREY, VERMILION};
 /// [px] the figure.
 const SIZE: (u32, u32) = (1200, 1130);
 
-/// [FPR] the top of all panels: the largest estimate that does not stand for something else is below it.
-const TOP: f64 = 17.0;
-
 const OURS: Style = Style {
     colour: BLUE,
     width: 3,
@@ -92,7 +89,7 @@ pub fn files(rows: &[TableRow]) -> [File; 2] {
 }
 
 fn draw(panels: &[Panel<'_>], area: &Area<'_>) -> Result<(), Failure> {
-    let title = "Estimate and MRF by the rate of all cameras, ours and the paper's";
+    let title = "Estimate and MRF by the rate of all cameras, ours and (in brackets) the paper's";
     area.draw(&Text::new(
         title.to_string(),
         (600, 26),
@@ -100,10 +97,20 @@ fn draw(panels: &[Panel<'_>], area: &Area<'_>) -> Result<(), Failure> {
     ))?;
     let (_, rest) = area.split_vertically(46);
     let (grid, legend) = rest.split_vertically(1020);
+    let both = |panel: &Panel<'_>| {
+        [
+            panel.estimates(|(ours, _)| ours),
+            panel.estimates(|(_, paper)| paper),
+        ]
+        .concat()
+    };
+    let all = panels.iter().flat_map(both);
+    // One scale, with room above the largest.
+    let top = all.map(|(_, estimate)| estimate).fold(1.0, f64::max) + 1.2;
     let columns = 3;
     let lines = panels.len().div_ceil(columns).max(1);
     for (panel, area) in panels.iter().zip(grid.split_evenly((lines, columns))) {
-        draw_panel(panel, &area)?;
+        draw_panel(panel, top, &area)?;
     }
     let mrf = |colour| Style {
         colour,
@@ -143,7 +150,7 @@ fn draw(panels: &[Panel<'_>], area: &Area<'_>) -> Result<(), Failure> {
     )
 }
 
-fn draw_panel(panel: &Panel<'_>, area: &Area<'_>) -> Result<(), Failure> {
+fn draw_panel(panel: &Panel<'_>, top: f64, area: &Area<'_>) -> Result<(), Failure> {
     let last = (RATES.len() - 1) as f64;
     let mut chart = ChartBuilder::on(area)
         .margin(8)
@@ -151,7 +158,7 @@ fn draw_panel(panel: &Panel<'_>, area: &Area<'_>) -> Result<(), Failure> {
         .margin_top(62)
         .x_label_area_size(54)
         .y_label_area_size(62)
-        .build_cartesian_2d(-0.4..last + 0.4, 0.0..TOP)?;
+        .build_cartesian_2d(-0.4..last + 0.4, 0.0..top)?;
     let rate = |place: &f64| {
         let whole = (place - place.round()).abs() < 1e-6;
         let rate = RATES.get(place.round() as usize).filter(|_| whole);
@@ -180,7 +187,7 @@ fn draw_panel(panel: &Panel<'_>, area: &Area<'_>) -> Result<(), Failure> {
     ))?;
     let told = format!("MRF {mrf} ({papers_mrf}), largest sum {sum} ({papers_sum})");
     area.draw(&Text::new(told, (220, 44), style(NOTE)))?;
-    required(&mut chart, mrf, papers_mrf)?;
+    required(&mut chart, top, (mrf, papers_mrf))?;
     let same = RATES
         .iter()
         .enumerate()
@@ -190,7 +197,7 @@ fn draw_panel(panel: &Panel<'_>, area: &Area<'_>) -> Result<(), Failure> {
         width: 2,
         dashes: None,
     };
-    line(&mut chart, same.filter(|(_, rate)| *rate <= TOP), grey)?;
+    line(&mut chart, same.filter(|(_, rate)| *rate <= top), grey)?;
     let papers = panel.estimates(|(_, paper)| paper);
     line(&mut chart, papers.iter().copied(), PAPERS)?;
     marks(&mut chart, &papers, Mark::Triangle, (6, VERMILION))?;
@@ -200,7 +207,11 @@ fn draw_panel(panel: &Panel<'_>, area: &Area<'_>) -> Result<(), Failure> {
 }
 
 /// The MRFs as lines from top to bottom: one in black where both are the same.
-fn required(chart: &mut Chart<'_, '_>, ours: &str, papers: &str) -> Result<(), Failure> {
+fn required(
+    chart: &mut Chart<'_, '_>,
+    top: f64,
+    (ours, papers): (&str, &str),
+) -> Result<(), Failure> {
     let place = |mrf: &str| {
         let mrf: u32 = mrf.parse().ok()?;
         RATES
@@ -211,7 +222,7 @@ fn required(chart: &mut Chart<'_, '_>, ours: &str, papers: &str) -> Result<(), F
     let mut upright = |place: Option<f64>, colour: RGBColor| match place {
         Some(x) => line(
             chart,
-            [(x, 0.0), (x, TOP)],
+            [(x, 0.0), (x, top)],
             Style {
                 colour,
                 width: 2,

@@ -187,7 +187,7 @@ fn told(
         letters(NOTE, &BLACK, across, VPos::Center),
     )])?;
     marks(accel, &[(time, hardest)], Mark::Diamond, (6, VERMILION))?;
-    let text = format!("hardest braking, {hardest:.1} m/s² at {time:.1} s");
+    let text = format!("hardest: {hardest:.1} m/s² at {time:.1} s");
     let (x, across) = beside(time);
     let at = (x, hardest - 0.5);
     accel.draw_series([Text::new(

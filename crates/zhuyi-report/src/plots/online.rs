@@ -5,7 +5,7 @@ use zhuyi_lab::foresight::{Decision, Foresight};
 
 use super::File;
 use super::sheet::{Area, Axes, Failure, Style, TITLE, axes, csv, font, line, sample, svg, whole};
-use crate::palette::{BLACK, BLUE, VERMILION};
+use crate::palette::{BLACK, BLUE, GREEN, VERMILION};
 
 /// A line: its name, how it is drawn, and what of.
 type Series = (&'static str, Style, fn(&Decision) -> f64);
@@ -40,27 +40,42 @@ const SERIES: [Series; 3] = [
     ),
 ];
 
-/// The figure and its CSV.
-pub fn files(run: &Foresight) -> [File; 2] {
-    let header = ["time_s", "offline_ms", "predicted_ms", "online_ms"];
-    let row = |decision: &Decision| {
+/// How the last line is drawn: online with one predicted future.
+const ONE: (&str, Style) = (
+    "online, one future (the planner's)",
+    Style {
+        colour: GREEN,
+        width: 2,
+        dashes: Some((3, 3)),
+    },
+);
+
+/// The figure and its CSV: a run, and the same one with one predicted future in the loop.
+pub fn files(run: &Foresight, one: &Foresight) -> [File; 2] {
+    let header = [
+        "time_s",
+        "offline_ms",
+        "predicted_ms",
+        "online_ms",
+        "online_one_future_ms",
+    ];
+    let row = |(decision, one): (&Decision, &Decision)| {
         let mut row = vec![format!("{:.1}", decision.time)];
         row.extend(SERIES.map(|(_, _, of)| format!("{:.0}", 1e3 * of(decision))));
+        row.push(format!("{:.0}", 1e3 * one.online));
         row
     };
+    let rows = run.decisions.iter().zip(&one.decisions).map(row);
     [
         (
             "figures/online-cut-in.svg",
-            svg((900, 560), |area| draw(run, area)),
+            svg((900, 560), |area| draw(run, one, area)),
         ),
-        (
-            "figures/online-cut-in.csv",
-            csv(&header, run.decisions.iter().map(row)),
-        ),
+        ("figures/online-cut-in.csv", csv(&header, rows)),
     ]
 }
 
-fn draw(run: &Foresight, area: &Area<'_>) -> Result<(), Failure> {
+fn draw(run: &Foresight, one: &Foresight, area: &Area<'_>) -> Result<(), Failure> {
     let last = run.decisions.last().map_or(1.0, |decision| decision.time);
     let title = format!(
         "{}: what {} tolerates, estimated while driving and afterwards",
@@ -96,7 +111,13 @@ fn draw(run: &Foresight, area: &Area<'_>) -> Result<(), Failure> {
     for ((name, style, _), at) in SERIES.into_iter().zip([(90, 508), (90, 534), (460, 508)]) {
         sample(area, at, name, (Some(style), None))?;
     }
-    Ok(())
+    let (name, style) = ONE;
+    let points = one
+        .decisions
+        .iter()
+        .map(|decision| (decision.time, 1e3 * decision.online));
+    line(&mut chart, points, style)?;
+    sample(area, (460, 534), name, (Some(style), None))
 }
 
 #[cfg(test)]
@@ -119,10 +140,10 @@ mod tests {
             largest: vec![2.3],
             out_of_reach: 0,
         };
-        let [(_, svg), (_, csv)] = files(&run);
+        let [(_, svg), (_, csv)] = files(&run, &run);
         assert_eq!(
             csv,
-            "time_s,offline_ms,predicted_ms,online_ms\n0.1,1000,472,439\n"
+            "time_s,offline_ms,predicted_ms,online_ms,online_one_future_ms\n0.1,1000,472,439,439\n"
         );
         assert!(
             svg.contains("online: belief, predicted futures")

@@ -111,7 +111,11 @@ fn draw(all: &[Slowest], area: &Area<'_>) -> Result<(), Failure> {
         area.draw(&Text::new(cost(one), (786, y), style(HPos::Left)))?;
     }
     let style = letters(NOTE, &BLACK, HPos::Left, VPos::Center);
-    area.draw(&Text::new("sum, at the MRF".to_string(), (786, 36), style))?;
+    area.draw(&Text::new(
+        "sum of the rates [FPR]".to_string(),
+        (760, 30),
+        style,
+    ))?;
     let cameras = all.first().map_or(&[][..], |one| &one.cameras);
     for (place, (camera, (colour, mark))) in cameras.iter().zip(LOOKS).enumerate() {
         let style = Style {
@@ -174,7 +178,11 @@ fn draw_row(one: &Slowest, middle: f64, chart: &mut Chart<'_, '_>) -> Result<(),
 fn cost(one: &Slowest) -> String {
     let sums = one.frontier.iter().map(|rates| rates.iter().sum::<u32>());
     match (sums.min(), one.mrf) {
-        (Some(sum), Some(mrf)) => format!("{sum}, {}", mrf * one.cameras.len() as u32),
+        (Some(sum), Some(mrf)) => {
+            let same = mrf * one.cameras.len() as u32;
+            let less = if sum < same { "instead of" } else { "as with" };
+            format!("{sum}, {less} {same}")
+        }
         _ => "no safe rate".to_string(),
     }
 }
@@ -200,6 +208,10 @@ mod tests {
         let [(_, svg), (_, csv)] = files(&[one, none]);
         assert_eq!(csv.lines().count(), 4);
         assert!(csv.contains("cut-out-fast,6,1,front_120,6,8,18\n"), "{csv}");
-        assert!(svg.contains("8, 18") && svg.contains("no safe rate") && svg.contains("[FPR]"));
+        assert!(
+            svg.contains("8, instead of 18")
+                && svg.contains("no safe rate")
+                && svg.contains("[FPR]")
+        );
     }
 }

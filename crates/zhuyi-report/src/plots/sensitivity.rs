@@ -77,7 +77,7 @@ fn draw(maps: &[Map], area: &Area<'_>) -> Result<(), Failure> {
 fn draw_map(map: &Map, area: &Area<'_>) -> Result<(), Failure> {
     let delay = match map.confirm_frames {
         0 => "without confirmation delay".to_string(),
-        frames => format!("with it, K = {frames}"),
+        frames => format!("with confirmation delay, K = {frames}"),
     };
     let half = STEP / 2.0;
     let range = -half..FASTEST + half;
@@ -180,6 +180,9 @@ mod tests {
         ] {
             assert!(csv.lines().any(|row| row == line), "{line}");
         }
-        assert!(svg.contains("s_n = 30 m, with it, K = 5") && svg.contains("v_e0 [mph]"));
+        assert!(
+            svg.contains("s_n = 30 m, with confirmation delay, K = 5")
+                && svg.contains("v_e0 [mph]")
+        );
     }
 }

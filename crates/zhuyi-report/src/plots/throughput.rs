@@ -117,9 +117,12 @@ fn draw(area: &Area<'_>) -> Result<(), Failure> {
         FRAME / 1e9,
         1.0 + FURTHER_MODELS
     );
-    let nominal =
-        "what chips offer is their makers' nominal figure, which none sustains".to_string();
-    for (text, y) in [(assumed, 510), (nominal, 533)] {
+    let shown = CHIPS.map(|(name, tops)| format!("{:.1} times one {name}", full / tops));
+    let shown = format!(
+        "at {FULL_RATE:.0} FPR {} (nominal figures of the maker)",
+        shown.join(", ")
+    );
+    for (text, y) in [(assumed, 510), (shown, 533)] {
         area.draw(&Text::new(
             text,
             (88, y),
