@@ -87,7 +87,7 @@ struct Rows {
     path: PathBuf,
     command: &'static str,
     header: csv::StringRecord,
-    rows: Vec<csv::StringRecord>,
+    records: Vec<csv::StringRecord>,
 }
 
 impl Rows {
@@ -106,11 +106,11 @@ impl Rows {
             Ok((header, reader.records().collect::<Result<_, _>>()?))
         };
         match read(&mut reader) {
-            Ok((header, rows)) => Ok(Self {
+            Ok((header, records)) => Ok(Self {
                 path,
                 command,
                 header,
-                rows,
+                records,
             }),
             Err(error) => Err(CommittedError::Content {
                 path,
@@ -172,7 +172,7 @@ pub fn table(dir: &Path) -> Result<Vec<TableRow>, CommittedError> {
             paper,
         }
     };
-    Ok(file.rows.iter().map(row).collect())
+    Ok(file.records.iter().map(row).collect())
 }
 
 /// The rows of allocation.csv in a folder of results that are of all scenarios together, in their order.
@@ -184,7 +184,7 @@ pub fn spent(dir: &Path) -> Result<Vec<Spent>, CommittedError> {
     let [scenario, policy] = [file.column("scenario")?, file.column("policy")?];
     let budget = file.column("budget_fps")?;
     let [drives, collisions] = [file.column("drives")?, file.column("collisions")?];
-    let all = file.rows.iter().filter(|row| &row[scenario] == "all");
+    let all = file.records.iter().filter(|row| &row[scenario] == "all");
     let one = |row: &csv::StringRecord| {
         Ok(Spent {
             policy: row[policy].to_string(),
@@ -210,7 +210,7 @@ pub fn slowest(dir: &Path) -> Result<Vec<Slowest>, CommittedError> {
         .filter_map(|(place, name)| Some((place, name.strip_suffix("_hz")?.to_string())))
         .collect();
     let mut all: Vec<Slowest> = Vec::new();
-    for row in file.rows.iter().filter(|row| &row[method] == "search") {
+    for row in file.records.iter().filter(|row| &row[method] == "search") {
         if all.last().is_none_or(|last| last.scenario != row[scenario]) {
             all.push(Slowest {
                 scenario: row[scenario].to_string(),

@@ -15,7 +15,7 @@ const SERIES: [Series; 3] = [
         "offline: truth, recorded future",
         Style {
             colour: BLACK,
-            width: 3,
+            width: 2,
             dashes: None,
         },
         |decision| decision.offline,
@@ -45,8 +45,8 @@ const ONE: (&str, Style) = (
     "online, one future (the planner's)",
     Style {
         colour: GREEN,
-        width: 2,
-        dashes: Some((3, 3)),
+        width: 4,
+        dashes: Some((4, 6)),
     },
 );
 

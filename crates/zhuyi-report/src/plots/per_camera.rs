@@ -113,7 +113,7 @@ fn draw(all: &[Slowest], area: &Area<'_>) -> Result<(), Failure> {
     let style = letters(NOTE, &BLACK, HPos::Left, VPos::Center);
     area.draw(&Text::new(
         "sum of the rates [FPR]".to_string(),
-        (760, 30),
+        (786, 598),
         style,
     ))?;
     let cameras = all.first().map_or(&[][..], |one| &one.cameras);
