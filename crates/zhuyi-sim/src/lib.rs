@@ -6,6 +6,10 @@
 //!     │                                       ▼                                         │
 //!     └── Actuation ◀── [actuator] ◀─Command─ [planner] ◀──────────────────────────────┘
 //!  every step: row ──▶ Trace ──▶ recorded futures ──▶ [estimator] ──▶ demand per camera
+//!
+//!  the second loop, where rates change ([scheduled]):
+//!  Tracks ──▶ [online] ──demand per camera──▶ [scheduler: policy, safety check] ──rates, measures──▶ [cameras], [planner]
+//!  Frames ──▶ [pipeline] where they queue for an accelerator ──▶ [tracker]
 //! ```
 //!
 //! What it guarantees, each shown by a test: the same scenario, system, rates and seeds give the same run to the last bit, at any
