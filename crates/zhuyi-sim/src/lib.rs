@@ -21,6 +21,8 @@ pub mod scheduled;
 pub mod simulation;
 pub mod trace;
 pub mod trace_csv;
+pub mod waterfall;
+pub mod witness;
 
 pub use draws::Draws;
 pub use offline::{Hindsight, Peak, Peaks};
@@ -29,3 +31,5 @@ pub use outcome::{Collision, Extremes, Frames, Outcome, Run};
 pub use scheduled::{Allocation, Scheduled, known_future};
 pub use simulation::{STEP, Simulation};
 pub use trace::Trace;
+pub use waterfall::{Cause, Stage, Waterfall};
+pub use witness::Witness;

@@ -11,6 +11,7 @@ use zhuyi_world::{Contact, Ego, Start, World};
 use crate::draws::Draws;
 use crate::outcome::{Collision, Frames, Outcome, Run};
 use crate::trace::Trace;
+use crate::witness::Witness;
 
 /// Physics, planning and recording go in steps of 10 ms; exposures do not (reading R15).
 pub const STEP: SimTime = SimTime::from_millis(10);
@@ -25,6 +26,7 @@ pub struct Simulation<'a> {
     planner: Planner<'a>,
     forecasts: Vec<Forecast>,
     trace: Trace,
+    witness: Option<Witness>,
 }
 
 impl<'a> Simulation<'a> {
@@ -71,7 +73,16 @@ impl<'a> Simulation<'a> {
             forecasts: Vec::new(),
             trace: Trace::new(scenario.actors.iter().map(|a| a.name.as_str())),
             world,
+            witness: None,
         }
+    }
+
+    /// The same run, with a record of what it knew.
+    #[must_use]
+    pub fn witnessed(mut self) -> Self {
+        let cameras = self.system.perception.eyes.len();
+        self.witness = Some(Witness::new(self.scenario.actors.len(), cameras));
+        self
     }
 
     /// One step of the loop. Returns the first contact of the ego, if there is one.
@@ -88,12 +99,18 @@ impl<'a> Simulation<'a> {
             .planner
             .plan(scene.time, &scene.ego, tracks, &self.forecasts);
         self.trace.push(scene, command);
+        if let Some(witness) = &mut self.witness {
+            witness.step(scene.time, &self.tracker, &self.eyes);
+        }
         let contact = self.world.step(command, STEP);
         let now = self.world.scene().time;
         self.eyes
             .expose(now, |instant, scene| self.world.scene_at(instant, scene));
         while let Some(frame) = self.eyes.deliver(now) {
             self.tracker.update(&frame, road);
+            if let Some(witness) = &mut self.witness {
+                witness.taken(now, &frame);
+            }
         }
         contact
     }
@@ -113,7 +130,10 @@ impl<'a> Simulation<'a> {
     }
 
     /// The end of the run, with the contact that the last tick returned.
-    pub(crate) fn finish(self, contact: Option<Contact>) -> Run {
+    pub(crate) fn finish(mut self, contact: Option<Contact>) -> Run {
+        if let Some(witness) = &mut self.witness {
+            witness.end(self.eyes.in_flight());
+        }
         let outcome = match contact {
             None => Outcome::Completed,
             Some(contact) => Outcome::Collision(Collision {
@@ -131,6 +151,7 @@ impl<'a> Simulation<'a> {
             outcome,
             frames: frames.collect(),
             trace: self.trace,
+            witness: self.witness,
         }
     }
 
