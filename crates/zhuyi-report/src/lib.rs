@@ -1,13 +1,18 @@
-//! What people look at: figures, as the text of an SVG file.
+//! What people look at: figures, as the text of an SVG file, and reports, as the text of an HTML file.
 //!
 //! ```text
 //!  zhuyi-lab ── Comparison ──▶ [demand] ──▶ figures/beyond-phantom.svg ..
+//!  zhuyi-sim ── Run, Witness ──▶ [drive] ── Document ──▶ [page] ──▶ report.html
 //! ```
 //!
-//! A figure is pure: the same numbers make the same bytes. Colours are those of Okabe and Ito, which people with any
+//! Both are pure: the same numbers make the same bytes. Colours are those of Okabe and Ito, which people with any
 //! kind of colour vision can tell apart, and every line has its own width or dashes as well.
 
 pub mod demand;
+pub mod drive;
+pub mod page;
 pub mod palette;
 
 pub use demand::figures;
+pub use drive::Drive;
+pub use page::page;

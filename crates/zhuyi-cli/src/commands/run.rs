@@ -9,9 +9,10 @@ use std::path::PathBuf;
 use clap::Args;
 use zhuyi_core::FrameRates;
 use zhuyi_estimator::grid::MAX_FPR;
+use zhuyi_report::{Drive, page};
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::policy;
-use zhuyi_sim::{Allocation, Draws, Scheduled, Simulation, known_future, trace_csv};
+use zhuyi_sim::{Allocation, Asked, Draws, Scheduled, Simulation, known_future, trace_csv};
 
 use super::Task;
 use crate::answer::Answer;
@@ -34,6 +35,7 @@ Examples:
   zhuyi run cut-out-fast --fpr front=6,left=2,right=2       rear stays at 30
   zhuyi run cut-in --set actors.cutter.speed_mps=15         one value of the scenario changed
   zhuyi run my-scenario.ron --system my-car.ron --trace drive.csv
+  zhuyi run cut-out-fast --fpr 5 --seed 3 --report drive.html   to be opened in a browser
   zhuyi run cut-in --json | jq .estimate.largest_fpr
 
 The demand is the paper's offline estimate: with the drive on record, the lowest frame rate at which each \
@@ -87,6 +89,9 @@ pub struct Arguments {
     /// what was needed in hindsight, as CSV
     #[arg(long, value_name = "FILE")]
     online: Option<PathBuf>,
+    /// Write the drive as one HTML file to open in a browser: replay, timelines, worst moments
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
     /// Let a policy decide the frame rates while driving: see below
     #[arg(
         long,
@@ -117,6 +122,7 @@ pub struct Run {
     root_seed: u64,
     trace: Option<Output>,
     online: Option<Output>,
+    report: Option<Output>,
     allocation: Option<Allocation>,
     json: bool,
     /// What was typed, to say what to type next.
@@ -146,6 +152,7 @@ impl Arguments {
             None => Some(None),
         };
         let (trace, online) = (place(&self.trace), place(&self.online));
+        let report = place(&self.report);
         let allocation = self.allocation(&mut problems);
         let scenario = read.scenarios.and_then(|mut scenarios| scenarios.pop());
         let run = || {
@@ -157,6 +164,7 @@ impl Arguments {
                 root_seed: root_seed?,
                 trace: trace?,
                 online: online?,
+                report: report?,
                 allocation: allocation?,
                 json: self.json,
                 typed: self,
@@ -234,7 +242,10 @@ impl Task for Run {
             scenario: &self.scenario.name,
             seed: self.seed,
         };
-        let simulation = Simulation::new(&self.scenario, &self.system, &self.rates, draws);
+        let mut simulation = Simulation::new(&self.scenario, &self.system, &self.rates, draws);
+        if self.report.is_some() {
+            simulation = simulation.witnessed();
+        }
         let allocation = self.allocation.take();
         let (run, asked) = if allocation.is_some() || self.online.is_some() {
             let future = self.future(allocation.as_ref(), draws);
@@ -245,6 +256,10 @@ impl Task for Run {
             (simulation.run(), Vec::new())
         };
         let summary = Summary::new(&self, &run);
+        if let (Some(page), Some(output)) = (self.page(&summary, &run, &asked), self.report.take())
+        {
+            output.write(page.as_bytes())?;
+        }
         if let Some(output) = self.online.take() {
             let text = online::csv(&self.scenario, &self.system, &run, &asked);
             output.write(text.as_bytes())?;
@@ -255,7 +270,7 @@ impl Task for Run {
         let text = if self.json {
             summary.json()
         } else {
-            let written = [&self.typed.trace, &self.typed.online];
+            let written = [&self.typed.report, &self.typed.trace, &self.typed.online];
             let written: Vec<_> = written
                 .into_iter()
                 .flatten()
@@ -276,6 +291,27 @@ impl Run {
         let full = FrameRates::new(vec![MAX_FPR; self.rates.all().len()]);
         let run = Simulation::new(&self.scenario, &self.system, &full, draws).run();
         known_future(&run.trace, &self.system, &full)
+    }
+
+    /// The report of the drive; none where it kept no record of what it knew.
+    fn page(&self, summary: &Summary, run: &zhuyi_sim::Run, asked: &[Asked]) -> Option<String> {
+        let file = self.typed.report.as_ref()?.display().to_string();
+        let words = self.typed.words(None);
+        let drive = Drive {
+            scenario: &self.scenario,
+            system: &self.system,
+            run,
+            witness: run.witness.as_ref()?,
+            rates: &self.rates,
+            asked,
+            by_policy: self.typed.policy.is_some(),
+            version: summary.version,
+            command: shell::line(words.into_iter().chain(["--report", &file])),
+            summary: summary.value(),
+            explanation: None,
+        };
+        let title = format!("{}, seed {}: zhuyi", summary.scenario, summary.seed);
+        Some(page(&title, &drive.document()))
     }
 
     /// What to type next, and what for.

@@ -201,6 +201,13 @@ impl Summary {
         }
     }
 
+    /// The document as a part of another.
+    pub fn value(&self) -> serde_json::Value {
+        // Numbers, texts and lists under fixed names: nothing that JSON cannot say.
+        serde_json::to_value(self)
+            .unwrap_or_else(|error| unreachable!("a summary is JSON: {error}"))
+    }
+
     /// The document.
     pub fn json(&self) -> String {
         // Numbers, texts and lists under fixed names: nothing that JSON cannot say.
