@@ -5,6 +5,7 @@ mod check;
 mod compare;
 mod delivery;
 mod estimate;
+mod explain;
 mod grid;
 mod list;
 mod mrf;
@@ -63,6 +64,8 @@ pub enum Command {
     New(new::Arguments),
     /// Drive once through a scenario and tell what happened
     Run(run::Arguments),
+    /// Tell why a drive ended in a collision, and the smallest change that would have saved it
+    Explain(explain::Arguments),
     /// Estimate what a recorded trace, of a run or of real traffic, asks of every camera at every step
     Estimate(estimate::Arguments),
     /// Drive through scenarios at many frame rates and write one row per run
@@ -88,6 +91,7 @@ impl Command {
             Self::Check(typed) => Box::new(typed.meant()),
             Self::New(typed) => Box::new(typed.meant()?),
             Self::Run(typed) => Box::new(typed.meant()?),
+            Self::Explain(typed) => Box::new(typed.meant()?),
             Self::Estimate(typed) => Box::new(typed.meant()?),
             Self::Sweep(typed) => Box::new(typed.meant()?),
             Self::Mrf(typed) => Box::new(typed.meant()?),

@@ -1,7 +1,7 @@
 //! `zhuyi run`: one drive, told in figures.
 
 mod online;
-mod summary;
+pub mod summary;
 mod text;
 
 use std::path::PathBuf;
@@ -15,6 +15,7 @@ use zhuyi_scheduler::policy;
 use zhuyi_sim::{Allocation, Asked, Draws, Scheduled, Simulation, known_future, trace_csv};
 
 use super::Task;
+use super::explain::Explanation;
 use crate::answer::Answer;
 use crate::argument::Argument;
 use crate::error::Error;
@@ -59,11 +60,11 @@ demand printed, which takes l_0 = 1/rate.")]
 pub struct Arguments {
     /// A scenario's name (see zhuyi list) or the path of a .ron file
     #[arg(value_name = "SCENARIO")]
-    scenario: String,
+    pub scenario: String,
     /// Frame rate in frames per second: one for all cameras (30), or by name (front=30,left=5), where
     /// `front` sets front_120 and front_60; cameras not named keep the system's rate, 30 by default
     #[arg(long, value_name = "RATES", allow_hyphen_values = true)]
-    fpr: Option<String>,
+    pub fpr: Option<String>,
     /// Which of the random drives: camera phases, noise and the actors' starts differ from seed to seed
     #[arg(
         long,
@@ -71,7 +72,7 @@ pub struct Arguments {
         default_value = "0",
         allow_hyphen_values = true
     )]
-    seed: String,
+    pub seed: String,
     /// Root of all randomness: another one makes all seeds other drives
     #[arg(
         long,
@@ -79,19 +80,19 @@ pub struct Arguments {
         default_value = "0",
         allow_hyphen_values = true
     )]
-    root_seed: String,
+    pub root_seed: String,
     #[command(flatten)]
-    setup: Setup,
+    pub setup: Setup,
     /// Write where every vehicle was at every 10 ms step, as CSV
     #[arg(long, value_name = "FILE")]
-    trace: Option<PathBuf>,
+    pub trace: Option<PathBuf>,
     /// Write what the ego itself asks of each camera while it drives, from what it believes and expects, beside
     /// what was needed in hindsight, as CSV
     #[arg(long, value_name = "FILE")]
-    online: Option<PathBuf>,
+    pub online: Option<PathBuf>,
     /// Write the drive as one HTML file to open in a browser: replay, timelines, worst moments
     #[arg(long, value_name = "FILE")]
-    report: Option<PathBuf>,
+    pub report: Option<PathBuf>,
     /// Let a policy decide the frame rates while driving: see below
     #[arg(
         long,
@@ -99,7 +100,7 @@ pub struct Arguments {
         requires = "budget_fps",
         conflicts_with = "fpr"
     )]
-    policy: Option<String>,
+    pub policy: Option<String>,
     /// What the policy may spend: frames per second over all cameras
     #[arg(
         long,
@@ -107,26 +108,26 @@ pub struct Arguments {
         requires = "policy",
         allow_hyphen_values = true
     )]
-    budget_fps: Option<String>,
+    pub budget_fps: Option<String>,
     /// Print one JSON document instead of text; its names carry their units
     #[arg(long)]
-    json: bool,
+    pub json: bool,
 }
 
 /// A drive to make.
 pub struct Run {
-    scenario: Scenario,
-    system: System,
-    rates: FrameRates,
-    seed: u64,
-    root_seed: u64,
+    pub scenario: Scenario,
+    pub system: System,
+    pub rates: FrameRates,
+    pub seed: u64,
+    pub root_seed: u64,
     trace: Option<Output>,
     online: Option<Output>,
     report: Option<Output>,
     allocation: Option<Allocation>,
     json: bool,
     /// What was typed, to say what to type next.
-    typed: Arguments,
+    pub typed: Arguments,
 }
 
 impl Arguments {
@@ -174,6 +175,17 @@ impl Arguments {
         problems.finish(run)
     }
 
+    /// The drive alone, without what is written or printed.
+    pub fn alone(&self) -> Self {
+        Self {
+            trace: None,
+            online: None,
+            report: None,
+            json: false,
+            ..self.clone()
+        }
+    }
+
     /// The policy and its budget, if one was typed.
     #[expect(clippy::option_option, reason = "refused, or read: none or one")]
     fn allocation(&self, problems: &mut Problems) -> Option<Option<Allocation>> {
@@ -195,7 +207,7 @@ impl Arguments {
     }
 
     /// This drive as typed, at other rates if given, without what is written or printed.
-    fn words<'a>(&'a self, fpr: Option<&'a str>) -> Vec<&'a str> {
+    pub fn words<'a>(&'a self, fpr: Option<&'a str>) -> Vec<&'a str> {
         let mut words = vec!["zhuyi", "run", &self.scenario];
         if let Some(fpr) = fpr.or(self.fpr.as_deref()) {
             words.extend(["--fpr", fpr]);
@@ -237,24 +249,7 @@ pub fn seed(name: &'static str, typed: &str, problems: &mut Problems) -> Option<
 
 impl Task for Run {
     fn run(mut self: Box<Self>) -> Result<Answer, Error> {
-        let draws = Draws {
-            root: self.root_seed,
-            scenario: &self.scenario.name,
-            seed: self.seed,
-        };
-        let mut simulation = Simulation::new(&self.scenario, &self.system, &self.rates, draws);
-        if self.report.is_some() {
-            simulation = simulation.witnessed();
-        }
-        let allocation = self.allocation.take();
-        let (run, asked) = if allocation.is_some() || self.online.is_some() {
-            let future = self.future(allocation.as_ref(), draws);
-            Scheduled::new(simulation, &self.scenario, &self.system, allocation)
-                .with_known_future(future)
-                .run()?
-        } else {
-            (simulation.run(), Vec::new())
-        };
+        let (run, asked) = self.drive(self.report.is_some())?;
         let summary = Summary::new(&self, &run);
         if let (Some(page), Some(output)) = (self.page(&summary, &run, &asked), self.report.take())
         {
@@ -283,6 +278,26 @@ impl Task for Run {
 }
 
 impl Run {
+    /// Makes the drive, with a record of what it knew if wanted. A policy is used up by it.
+    pub fn drive(&mut self, witnessed: bool) -> Result<(zhuyi_sim::Run, Vec<Asked>), Error> {
+        let draws = Draws {
+            root: self.root_seed,
+            scenario: &self.scenario.name,
+            seed: self.seed,
+        };
+        let mut simulation = Simulation::new(&self.scenario, &self.system, &self.rates, draws);
+        if witnessed {
+            simulation = simulation.witnessed();
+        }
+        let allocation = self.allocation.take();
+        if allocation.is_none() && self.online.is_none() {
+            return Ok((simulation.run(), Vec::new()));
+        }
+        let future = self.future(allocation.as_ref(), draws);
+        let scheduled = Scheduled::new(simulation, &self.scenario, &self.system, allocation);
+        Ok(scheduled.with_known_future(future).run()?)
+    }
+
     /// The future that the policy `clairvoyant` knows: that of the same drive with every camera at 30 FPR.
     fn future(&self, allocation: Option<&Allocation>, draws: Draws<'_>) -> Vec<Vec<f64>> {
         if allocation.is_none_or(|allocation| allocation.policy.name() != "clairvoyant") {
@@ -297,6 +312,7 @@ impl Run {
     fn page(&self, summary: &Summary, run: &zhuyi_sim::Run, asked: &[Asked]) -> Option<String> {
         let file = self.typed.report.as_ref()?.display().to_string();
         let words = self.typed.words(None);
+        let explanation = run.collided().then(|| Explanation::of(self, run));
         let drive = Drive {
             scenario: &self.scenario,
             system: &self.system,
@@ -308,7 +324,7 @@ impl Run {
             version: summary.version,
             command: shell::line(words.into_iter().chain(["--report", &file])),
             summary: summary.value(),
-            explanation: None,
+            explanation: explanation.as_ref().map(Explanation::value),
         };
         let title = format!("{}, seed {}: zhuyi", summary.scenario, summary.seed);
         Some(page(&title, &drive.document()))

@@ -249,7 +249,8 @@ fn share(frames: u64, seconds: f64) -> f64 {
     frames as f64 / (FULL_RATE * seconds)
 }
 
-fn collision(scenario: &Scenario, run: &zhuyi_sim::Run) -> Option<Collision> {
+/// The first contact of a drive.
+pub fn collision(scenario: &Scenario, run: &zhuyi_sim::Run) -> Option<Collision> {
     let Outcome::Collision(collision) = &run.outcome else {
         return None;
     };
