@@ -117,7 +117,7 @@ class Scene {
     pen.moveTo(px, py);
     pen.arc(px, py, camera.range_m * this.scale, middle - camera.fov_rad / 2, middle + camera.fov_rad / 2);
     pen.closePath();
-    pen.globalAlpha = 0.03 + 0.32 * share;
+    pen.globalAlpha = 0.03 + 0.27 * share;
     pen.fillStyle = colour(this.cones === "rate" ? "s2" : "s1");
     pen.fill();
     pen.globalAlpha = short ? 0.9 : 0.3;
@@ -264,7 +264,8 @@ class Scene {
     const free = ([x, y]) => x >= 2 && x + wide <= width - 2 && !this.placed.some(
       ([l, t, r, b], other) => other !== place && x < r + 3 && x + wide > l - 3 && y < b + 1 && y + high > t - 1,
     );
-    const [x, y] = tries.find(free) || tries[2];
+    const [near, y] = tries.find(free) || tries[2];
+    const x = Math.min(Math.max(2, near), width - 2 - wide);
     this.placed.push([x, y, x + wide, y + high]);
     pen.fillStyle = colour("paper");
     pen.globalAlpha = 0.78;

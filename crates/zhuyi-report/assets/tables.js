@@ -54,7 +54,7 @@ class Live {
     );
     this.cameras = liveTable(
       byId("cameras"),
-      [["name", "camera"], ["rate", "rate [FPR]", 1], ["demand", "demand [FPR]", 1], ["by", "for"], ["bar", "demand, and rate as a line; full: 30 FPR"]],
+      [["name", "camera, * analysed"], ["rate", "rate [FPR]", 1], ["demand", "demand [FPR]", 1], ["by", "for"], ["bar", "demand of 30, line: rate"]],
       drive.cameras.map((camera) => camera.name),
     );
     this.cameras.forEach((cells) => {
@@ -95,7 +95,7 @@ class Live {
     cameras.forEach((camera, place) => {
       const cells = this.cameras[place];
       const [rate, demand, by] = [camera.rate[row], camera.demand[row], camera.by[row]];
-      cells.name.textContent = camera.analysed ? camera.name : `${camera.name} (not analysed)`;
+      cells.name.textContent = camera.analysed ? `${camera.name}*` : camera.name;
       cells.rate.textContent = figure(rate, 1);
       cells.demand.textContent = figure(demand, 1);
       cells.demand.className = demand > rate ? "number bad" : "number";
@@ -193,7 +193,10 @@ function fillWhy(drive, jump) {
   if (!explanation || !explanation.waterfall) return;
   const byId = (id) => document.getElementById(id);
   byId("why").hidden = false;
-  byId("cause").textContent = explanation.told;
+  // Names stand between backticks, as on the terminal.
+  explanation.told.split("`").forEach((part, place) => {
+    byId("cause").append(place % 2 === 0 ? part : element("code", part));
+  });
   const { stages, metres_m } = explanation.waterfall;
   const table = byId("waterfall");
   header(table, [["stage"], ["at [s]", 1], ["took [s]", 1], ["cost [m]", 1], ["speed [m/s]", 1], [`of ${metres_m.toFixed(1)} m driven since it was exposed`]]);
