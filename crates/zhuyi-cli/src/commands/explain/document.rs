@@ -52,12 +52,12 @@ pub struct Waterfall {
     /// [m] that the ego drove from then on.
     pub metres_m: f64,
     /// All seven, in order.
-    pub stages: Vec<Stage>,
+    pub stages: Vec<Reached>,
 }
 
-/// One stage.
+/// A stage, reached or not.
 #[derive(Debug, Serialize)]
-pub struct Stage {
+pub struct Reached {
     /// Its name.
     pub stage: &'static str,
     /// [s] when it was reached.
@@ -118,7 +118,7 @@ fn staged(asked: &Run, waterfall: &zhuyi_sim::Waterfall) -> Waterfall {
     let stages = waterfall.steps.iter().map(|step| {
         let took = step.time.zip(before).map(|(time, before)| time - before);
         before = step.time.or(before);
-        Stage {
+        Reached {
             stage: step.stage.name(),
             time_s: step.time.map(seconds),
             took_s: took.map(seconds),

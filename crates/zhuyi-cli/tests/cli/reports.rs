@@ -1,0 +1,175 @@
+//! `run --report`: the data in the page beside the trace, its size, its bytes. The page at work is tested in tests/browser.
+
+use crate::Bench;
+use serde_json::Value;
+use zhuyi_scenario::embedded;
+
+/// The document in a report.
+pub fn data(page: &str) -> Value {
+    let (_, behind) = page
+        .split_once("<script type=\"application/json\" id=\"data\">")
+        .unwrap();
+    let (data, _) = behind.split_once("</script>").unwrap();
+    serde_json::from_str(data).unwrap()
+}
+
+/// Words with how often each stands; none for `-`.
+fn words(text: &str) -> Vec<(Option<f64>, usize)> {
+    let word = |word: &str| {
+        let (number, count) = word.split_once('*').unwrap_or((word, "1"));
+        let number = (number != "-").then(|| number.parse().unwrap());
+        (number, count.parse().unwrap())
+    };
+    text.split(' ').map(word).collect()
+}
+
+/// The numbers of a column of differences.
+fn track(column: &Value) -> Vec<Option<f64>> {
+    let (mut last, mut numbers) = (0.0, Vec::new());
+    for (delta, count) in words(column["delta"].as_str().unwrap()) {
+        for _ in 0..count {
+            last = delta.map_or(0.0, |delta| last + delta);
+            numbers.push(delta.map(|_| last / column["per"].as_f64().unwrap()));
+        }
+    }
+    numbers
+}
+
+/// The numbers of a column of steps.
+fn steps(column: &Value) -> Vec<Option<f64>> {
+    let words = words(column.as_str().unwrap()).into_iter();
+    words
+        .flat_map(|(number, count)| vec![number; count])
+        .collect()
+}
+
+#[test]
+fn law_the_columns_of_a_report_are_the_trace_to_half_of_what_was_rounded() {
+    let bench = Bench::new();
+    // On a curve, so that no coordinate is idle.
+    bench.out("run challenging-cut-in-curved --fpr 4 --report drive.html --trace drive.csv");
+    let document = data(&bench.read("drive.html"));
+    let trace = bench.read("drive.csv");
+    let bodies = document["bodies"].as_array().unwrap();
+    let rows = document["rows"].as_u64().unwrap() as usize;
+    let lines: Vec<Vec<&str>> = trace
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').collect())
+        .collect();
+    assert_eq!(lines.len(), rows * bodies.len());
+    let columns = [
+        ("x_m", 2, 0.5e-3),
+        ("y_m", 3, 0.5e-3),
+        ("heading_rad", 4, 0.5e-5),
+        ("speed_mps", 5, 0.5e-3),
+        ("accel_mps2", 6, 0.5e-3),
+    ];
+    for (place, body) in bodies.iter().enumerate() {
+        for (column, field, half) in columns {
+            let numbers = track(&body[column]);
+            assert_eq!(numbers.len(), rows);
+            for (row, number) in numbers.iter().enumerate() {
+                let fields = &lines[row * bodies.len() + place];
+                assert_eq!(fields[1], body["name"].as_str().unwrap());
+                let truth: f64 = fields[field].parse().unwrap();
+                // The trace has six decimals of its own.
+                let off = (number.unwrap() - truth).abs();
+                assert!(off <= half + 1e-6, "{column} at {row}: {off}");
+            }
+        }
+    }
+}
+
+#[test]
+fn law_every_column_has_a_number_or_none_for_every_row() {
+    let bench = Bench::new();
+    bench.out("run cut-out-fast --policy demand-first --budget-fps 40 --report drive.html");
+    let document = data(&bench.read("drive.html"));
+    let rows = document["rows"].as_u64().unwrap() as usize;
+    for camera in document["cameras"].as_array().unwrap() {
+        for column in ["rate_fpr", "demand_fpr", "demand_actor", "online_fpr"] {
+            assert_eq!(steps(&camera[column]).len(), rows, "{column}");
+        }
+        // Under a policy rates change, and stay within what there is.
+        let rates = steps(&camera["rate_fpr"]);
+        assert!(
+            rates
+                .iter()
+                .flatten()
+                .all(|rate| (0.1..=40.0).contains(rate))
+        );
+    }
+    let front = steps(&document["cameras"][0]["rate_fpr"]);
+    assert!(front.iter().any(|rate| *rate != front[0]));
+    let models = document["models"].as_array().unwrap().len();
+    for actor in document["actors"].as_array().unwrap() {
+        for column in ["visible", "confirmed", "found"] {
+            assert_eq!(steps(&actor[column]).len(), rows, "{column}");
+        }
+        for column in [
+            "believed_x_m",
+            "believed_y_m",
+            "believed_speed_mps",
+            "age_s",
+            "gap_m",
+            "ttc_s",
+        ] {
+            assert_eq!(track(&actor[column]).len(), rows, "{column}");
+        }
+        let latencies = actor["latency_s"].as_array().unwrap();
+        assert_eq!(latencies.len(), models);
+        assert!(latencies.iter().all(|column| steps(column).len() == rows));
+        // Who is confirmed is believed to be somewhere, with an age.
+        let age = track(&actor["age_s"]);
+        let confirmed = steps(&actor["confirmed"]);
+        assert!(
+            confirmed
+                .iter()
+                .zip(&age)
+                .all(|(confirmed, age)| *confirmed == Some(0.0) || age.is_some())
+        );
+    }
+}
+
+#[test]
+fn law_the_highest_demand_of_a_column_is_the_one_of_the_summary() {
+    let bench = Bench::new();
+    bench.out("run cut-in --report drive.html");
+    let document = data(&bench.read("drive.html"));
+    let summary = document["summary"]["cameras"].as_array().unwrap();
+    for (camera, told) in document["cameras"].as_array().unwrap().iter().zip(summary) {
+        let demands = steps(&camera["demand_fpr"]);
+        let highest = demands
+            .iter()
+            .flatten()
+            .fold(0.0_f64, |most, fpr| fpr.max(most));
+        let told = told["demand_fpr"].as_f64().unwrap();
+        assert!((highest - told).abs() <= 0.5e-3, "{highest} and {told}");
+    }
+    assert!(document["explanation"].is_null());
+}
+
+#[test]
+fn law_a_report_has_less_than_a_megabyte_and_the_same_bytes_again() {
+    let bench = Bench::new();
+    for name in embedded::names() {
+        bench.out(&format!("run {name} --report {name}.html"));
+        let page = bench.read(&format!("{name}.html"));
+        assert!(page.len() < 1_000_000, "{name}: {}", page.len());
+    }
+    let first = bench.read("cut-in.html");
+    bench.out("run cut-in --report cut-in.html");
+    assert_eq!(bench.read("cut-in.html"), first);
+}
+
+#[test]
+fn hand_a_report_that_cannot_be_written_is_refused_before_the_drive() {
+    let ran = Bench::new().zhuyi("run cut-in --report nowhere/drive.html");
+    assert_eq!(ran.code, Some(4));
+    assert!(
+        ran.err.contains("cannot write `nowhere/drive.html`"),
+        "{}",
+        ran.err
+    );
+}
