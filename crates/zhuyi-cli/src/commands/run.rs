@@ -25,7 +25,11 @@ use crate::output::Output;
 use crate::problems::Problems;
 use crate::rates::Rates;
 use crate::shell;
+use crate::{sparkline, top_view};
 use summary::Summary;
+
+/// Columns of what is drawn.
+const WIDTH: usize = 78;
 
 /// `zhuyi run` as typed.
 #[derive(Args, Clone, Debug)]
@@ -271,7 +275,8 @@ impl Task for Run {
                 .flatten()
                 .map(PathBuf::as_path)
                 .collect();
-            text::describe(&summary, &written, &self.next(&summary))
+            let drawings = self.drawings(&summary, &run);
+            text::describe(&summary, &drawings, &written, &self.next(&summary))
         };
         Ok(Answer::new(text))
     }
@@ -308,6 +313,31 @@ impl Run {
         known_future(&run.trace, &self.system, &full)
     }
 
+    /// The demands over time, and the drive from above at its contact, or else at the highest demand.
+    fn drawings(&self, summary: &Summary, run: &zhuyi_sim::Run) -> String {
+        let (trace, mut text) = (&run.trace, String::new());
+        // Under a policy the rates, and with them l_0, are not those that the drive began with.
+        if self.typed.policy.is_none() {
+            text += "Demand on each camera over time:\n";
+            text += &sparkline::demands(trace, &self.system, &self.rates, WIDTH);
+            text.push('\n');
+        }
+        let analysed = summary.cameras.iter().filter(|camera| camera.analysed);
+        let highest = analysed.max_by(|one, other| one.demand_fpr.total_cmp(&other.demand_fpr));
+        let peak = highest.and_then(|camera| camera.demand_time_s);
+        let (what, row) = match (&summary.collision, peak) {
+            (Some(_), _) => ("Before the contact".to_string(), trace.rows().last()),
+            (None, Some(time)) => (
+                format!("The highest demand, {time:.2} s,"),
+                trace.rows().find(|row| row.time.seconds() >= time),
+            ),
+            (None, None) => return text,
+        };
+        text + &row.map_or(String::new(), |row| {
+            top_view::moment(&what, &self.scenario, &row, WIDTH)
+        })
+    }
+
     /// The report of the drive; none where it kept no record of what it knew.
     fn page(&self, summary: &Summary, run: &zhuyi_sim::Run, asked: &[Asked]) -> Option<String> {
         let file = self.typed.report.as_ref()?.display().to_string();
@@ -336,6 +366,9 @@ impl Run {
         let typed = &self.typed;
         let asked = summary.estimate.largest_fpr.ceil();
         if summary.collision.is_some() {
+            let mut words = typed.words(None);
+            words[1] = "explain";
+            next.push((shell::line(words), "why, and what would have saved it"));
             if self.rates.all().iter().any(|rate| *rate < 30.0) {
                 next.push((
                     shell::line(typed.words(Some("30"))),
@@ -346,6 +379,11 @@ impl Run {
             let fpr = asked.to_string();
             let line = shell::line(typed.words(Some(&fpr)));
             next.push((line, "at the rate that the estimate asks for"));
+        }
+        if typed.report.is_none() {
+            let file = format!("{}.html", self.scenario.name);
+            let words = typed.words(None).into_iter().chain(["--report", &file]);
+            next.push((shell::line(words), "a replay to open in a browser"));
         }
         if typed.trace.is_none() {
             let file = format!("{}.csv", self.scenario.name);
