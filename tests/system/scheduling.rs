@@ -14,26 +14,26 @@ fn drive(
     budget: f64,
     seed: u64,
 ) -> (Run, Vec<Asked>) {
-    let cameras = system.perception.eyes.len();
-    let rates = FrameRates::new(vec![(budget / cameras as f64).min(30.0); cameras]);
     let draws = Draws {
         root: 0,
         scenario: &scenario.name,
         seed,
     };
-    let simulation = Simulation::new(scenario, system, &rates, draws);
     let policy = policy(name).expect("a policy");
-    let allocation = Some(Allocation { policy, budget });
-    Scheduled::new(simulation, scenario, system, allocation)
+    let allocation = Allocation { policy, budget };
+    Scheduled::new(scenario, system, draws, allocation)
         .run()
         .expect("no program is asked")
 }
 
-const POLICIES: [&str; 10] = [
+const POLICIES: [&str; 13] = [
     "uniform",
     "proportional",
     "demand-first",
     "demand-hysteresis",
+    "demand-only",
+    "phantom",
+    "phantom-only",
     "importance",
     "rss",
     "ttc",
@@ -60,7 +60,13 @@ fn law_every_policy_drives_within_its_budget() {
             frames as f64 <= 6.0 * budget + 10.0,
             "{name}: {frames} frames"
         );
-        assert!(frames as f64 >= 4.0 * budget, "{name}: {frames} frames");
+        // Who saves processes less than the budget, but never less than one frame a second on each camera.
+        let least = if name.ends_with("-only") {
+            24.0
+        } else {
+            4.0 * budget
+        };
+        assert!(frames as f64 >= least, "{name}: {frames} frames");
     }
 }
 
@@ -79,12 +85,11 @@ fn hand_the_clairvoyant_gets_by_with_fifteen_frames() {
     let future = known_future(&full.trace, &system, &rates(30.0));
     let drive = |name: &str| {
         let policy = policy(name).expect("a policy");
-        let allocation = Some(Allocation {
+        let allocation = Allocation {
             policy,
             budget: 15.0,
-        });
-        let simulation = Simulation::new(&scenario, &system, &rates(3.0), draws);
-        Scheduled::new(simulation, &scenario, &system, allocation)
+        };
+        Scheduled::new(&scenario, &system, draws, allocation)
             .with_known_future(future.clone())
             .run()
             .expect("the future is known")
@@ -115,9 +120,8 @@ fn law_the_estimate_alone_changes_nothing() {
         scenario: &scenario.name,
         seed: 0,
     };
-    let simulation = || Simulation::new(&scenario, &system, &rates, draws);
-    let plain = simulation().run();
-    let (watched, asked) = Scheduled::new(simulation(), &scenario, &system, None)
+    let plain = Simulation::new(&scenario, &system, &rates, draws).run();
+    let (watched, asked) = Scheduled::watching(&scenario, &system, &rates, draws)
         .run()
         .expect("no policy");
     assert_eq!(plain.trace, watched.trace);
@@ -137,4 +141,98 @@ fn law_the_estimate_alone_changes_nothing() {
         .expect("it is seen in the end")
         .time;
     assert!(first.seconds() > 5.0, "{first:?}");
+}
+
+/// A budget in equal parts is the same run as that rate on every camera, exposures and all.
+#[test]
+fn law_a_uniform_budget_is_a_fixed_rate() {
+    let (scenario, system) = read("cut-out-fast", &["duration_s=9"]);
+    let rates = FrameRates::new(vec![6.0; system.perception.eyes.len()]);
+    let draws = Draws {
+        root: 0,
+        scenario: &scenario.name,
+        seed: 1,
+    };
+    let fixed = Simulation::new(&scenario, &system, &rates, draws).run();
+    for policy in ["uniform", "static:front=6,left=6,right=6,rear=6"] {
+        let (shared, _) = drive(&scenario, &system, policy, 30.0, 1);
+        assert_eq!(fixed.trace, shared.trace, "{policy}");
+        assert_eq!(fixed.frames, shared.frames, "{policy}");
+    }
+}
+
+/// The frames of a stack that is asked for more than its accelerator can do wait for each other, and the ego sees the
+/// obstacle of cut-out-fast too late; with enough of it waiting and service stay below the frame period.
+#[test]
+fn hand_an_overloaded_accelerator_is_late_by_itself() {
+    let collides = |tops: &str| {
+        let compute = format!("compute=Accelerator(tops:{tops},drop_stale:false)");
+        let (scenario, system) = read("cut-out-fast", &[&compute]);
+        let rates = FrameRates::new(vec![10.0; system.perception.eyes.len()]);
+        let draws = Draws {
+            root: 0,
+            scenario: &scenario.name,
+            seed: 0,
+        };
+        let run = Simulation::new(&scenario, &system, &rates, draws).run();
+        let processed: u64 = run.frames.iter().map(|frames| frames.processed).sum();
+        (
+            run.collided(),
+            processed as f64 / (0.01 * run.trace.len() as f64),
+        )
+    };
+    // 50 frames a second are 26 TOPS. At 20.8 TOPS, 40 a second, ten more wait after every second, and nothing is dropped.
+    let (enough, fewer) = (collides("27"), collides("20.8"));
+    assert!(!enough.0 && (49.0..=50.5).contains(&enough.1), "{enough:?}");
+    assert!(fewer.0 && (39.0..=40.5).contains(&fewer.1), "{fewer:?}");
+}
+
+/// The three answers of the paper to an alarm, each in a drive in which the alarm alone does not help: at 25 frames a
+/// second in equal parts the ego collides in cut-out-fast.
+#[test]
+fn hand_each_response_to_an_alarm_does_what_it_says() {
+    let drive = |response: &str| {
+        let setting = format!("online.response={response}");
+        let (scenario, system) = read("cut-out-fast", &[&setting]);
+        drive(&scenario, &system, "uniform", 25.0, 1)
+    };
+    let (nothing, asked) = drive("Record");
+    assert!(nothing.collided());
+    let first = asked
+        .iter()
+        .find(|asked| asked.alarms.contains(&true))
+        .expect("an alarm");
+    let accel = |run: &Run, after: f64| {
+        let mut rows = run.trace.rows();
+        let row = rows.find(|row| row.time >= first.time && row.time.seconds() > after);
+        row.expect("a row").ego.accel
+    };
+
+    let (braked, _) = drive("EmergencyBackup");
+    let soon = first.time.seconds() + 1.0;
+    assert!(accel(&braked, soon) < -4.0, "{}", accel(&braked, soon));
+    assert!(accel(&nothing, soon) > -1.0, "{}", accel(&nothing, soon));
+
+    let (_, raised) = drive("RaiseRates");
+    let at = |asked: &[Asked]| asked[0].granted.clone();
+    // The fronts get what the others have above their floor of demand; together they are the same budget.
+    assert!(at(&asked).iter().all(|rate| *rate == 5.0));
+    assert!(
+        at(&raised)[0] > 6.0 && at(&raised)[2] < 5.0,
+        "{:?}",
+        at(&raised)
+    );
+    assert!((at(&raised).iter().sum::<f64>() - 25.0).abs() < 1e-9);
+
+    let (slower, limited) =
+        drive("LimitedFunctionality(freed_share:0.2,lower_speed_mps:5,longer_headway_s:0.5)");
+    // From the decision after the first alarm on there are 30 frames a second.
+    assert!(
+        limited[1]
+            .granted
+            .iter()
+            .all(|rate| (rate - 6.0).abs() < 1e-9)
+    );
+    let speed = |run: &Run| run.trace.rows().nth(300).expect("3 s").ego.speed;
+    assert!(speed(&slower) < speed(&nothing) - 2.0);
 }

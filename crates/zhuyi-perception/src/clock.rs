@@ -19,6 +19,7 @@ use zhuyi_core::SimTime;
 /// The shutter of one camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clock {
+    phase: f64,
     hz: f64,
     anchor: SimTime,
     count: u64,
@@ -41,11 +42,21 @@ impl Clock {
     pub fn new(hz: f64, phase: f64) -> Self {
         let anchor = SimTime::from_seconds(phase * period(hz).seconds());
         Self {
+            phase,
             hz,
             anchor,
             count: 0,
             last: anchor - period(hz),
         }
+    }
+
+    /// Begins anew at the start of the run, at another rate with the same share of a period as its phase: as if it had run
+    /// at this rate before.
+    ///
+    /// # Panics
+    /// If `hz` is not positive and finite.
+    pub fn begin(&mut self, hz: f64) {
+        *self = Self::new(hz, self.phase);
     }
 
     /// [Hz] the present rate.
@@ -151,6 +162,14 @@ mod tests {
         let mut clock = Clock::new(10.0, 0.3);
         clock.set_rate(5.0, SimTime::ZERO);
         assert_eq!(clock.next(), SimTime::from_millis(130));
+    }
+
+    #[test]
+    fn law_a_clock_that_begins_anew_is_one_that_had_the_rate_all_along() {
+        let mut clock = Clock::new(10.0, 0.3);
+        clock.tick();
+        clock.begin(4.0);
+        assert_eq!(clock, Clock::new(4.0, 0.3));
     }
 
     #[test]

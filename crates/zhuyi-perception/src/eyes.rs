@@ -13,7 +13,8 @@
 //!
 //! A picture shows the scene at its exposure instant. Frames are delivered in the order in which they become ready. A
 //! frame whose latency dates from a slower rate can be overtaken by a later one of the same camera: it is then dropped
-//! and counted (reading R15).
+//! and counted (reading R15). Where frames queue for an accelerator, their latency is not known at the exposure: the
+//! loop then takes the pictures ([`Eyes::take_exposed`]) and brings them back when they are processed.
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -108,6 +109,14 @@ impl Eyes {
         self.shutters[camera.index()].clock.set_rate(hz, now);
     }
 
+    /// Gives a camera the rate with which the run begins, before its first exposure, as if it had run at it before.
+    ///
+    /// # Panics
+    /// If `hz` is not positive and finite.
+    pub fn begin_at(&mut self, camera: CameraId, hz: f64) {
+        self.shutters[camera.index()].clock.begin(hz);
+    }
+
     /// [Hz] a camera's present rate.
     pub fn rate(&self, camera: CameraId) -> f64 {
         self.shutters[camera.index()].clock.hz()
@@ -151,6 +160,17 @@ impl Eyes {
             .enumerate();
         let (index, at) = next.min_by_key(|&(index, at)| (at, index))?;
         (at <= to).then_some(index)
+    }
+
+    /// Takes all frames in flight away, in the order of their exposures if that is done after each
+    /// [`Eyes::expose`], for somebody who knows better when they are ready.
+    pub fn take_exposed(&mut self) -> std::vec::Drain<'_, Frame> {
+        self.in_flight.drain(..)
+    }
+
+    /// Brings a frame back that was taken away, to be delivered when it is ready.
+    pub fn bring_back(&mut self, frame: Frame) {
+        self.in_flight.push(frame);
     }
 
     /// The next frame that is ready by `now`, in order of (ready, camera); call it until there is none.

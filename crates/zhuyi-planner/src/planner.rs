@@ -14,6 +14,7 @@ use crate::steer;
 pub struct Planner<'a> {
     params: &'a Params,
     road: &'a Road,
+    desired_speed: f64,
     driver: Idm,
     path: LaneChange,
     hard: Latch,
@@ -26,10 +27,19 @@ impl<'a> Planner<'a> {
         Self {
             params,
             road,
+            desired_speed,
             driver: params.driver(desired_speed),
             path,
             hard: Latch::default(),
         }
+    }
+
+    /// From now on wants to drive slower by `slower` [m/s], but not below 1 m/s, and to keep `longer` [s] more headway
+    /// than by its parameters; 0 and 0: as by them.
+    pub fn hold_back(&mut self, slower: f64, longer: f64) {
+        let speed = (self.desired_speed - slower).max(self.desired_speed.min(1.0));
+        self.driver = self.params.driver(speed);
+        self.driver.time_headway += longer;
     }
 
     /// The command for the next step. `tracks` are extrapolated to `now`, `forecasts` are theirs, in the same order.

@@ -51,6 +51,13 @@ impl<'a> Fields<'a> {
         self.node.below(name, self.parts.field(name))
     }
 
+    /// A block of which every field may be left out: where it is left out itself, it stands there empty, so that settings
+    /// below it are found.
+    pub(crate) fn block(&self, name: &'static str) -> Option<Node<'a>> {
+        self.optional(name)
+            .or_else(|| self.node.below(name, Some("()")))
+    }
+
     /// A field that must be there.
     pub(crate) fn required(&self, name: &'static str) -> Option<Node<'a>> {
         let found = self.optional(name);

@@ -5,6 +5,8 @@ use zhuyi_estimator::Params as Estimator;
 use zhuyi_perception::Perception;
 use zhuyi_planner::PlannerParams;
 use zhuyi_prediction::Predictor;
+use zhuyi_scheduler::Compute;
+use zhuyi_scheduler::safety::Response;
 use zhuyi_world::{Vehicle, script::Actor};
 
 /// Road, ego's start and actors.
@@ -55,6 +57,8 @@ pub struct System {
     /// [s] l_0, the latency at which the estimator takes every camera to run now; none: each camera's own frame period
     /// (readings R14, R22).
     pub current_latency: Option<f64>,
+    /// How long a frame takes.
+    pub compute: Compute,
     /// The estimate that the ego makes while it drives.
     pub online: Online,
     /// How the seeds of a sweep differ (reading R18).
@@ -70,6 +74,12 @@ pub struct Online {
     pub current_latency: Option<f64>,
     /// How often it is made, and rates are decided.
     pub period: SimTime,
+    /// [s] headway that hiders are trusted to keep to what they hide, for demands with phantoms.
+    pub phantom_headway: f64,
+    /// What is done while a camera runs below its demand.
+    pub response: Response,
+    /// [s] how long that goes on after the last alarm.
+    pub hold: f64,
 }
 
 /// Spread of the actors' start from seed to seed, uniform in ± these bounds.

@@ -100,12 +100,14 @@ impl Kind {
 /// Names of the fields at the top of a scenario file. No system file has any of them.
 pub(crate) const SCENARIO_FIELDS: [&str; 5] = ["title", "road", "ego", "duration_s", "actors"];
 /// Names of the fields at the top of a system file.
-pub(crate) const SYSTEM_FIELDS: [&str; 6] = [
+pub(crate) const SYSTEM_FIELDS: [&str; 8] = [
     "vehicle",
     "perception",
     "prediction",
     "planner",
     "estimator",
+    "compute",
+    "online",
     "jitter",
 ];
 

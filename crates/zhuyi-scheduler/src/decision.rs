@@ -48,6 +48,8 @@ pub struct CameraState<'a> {
 pub struct Demands {
     /// [Hz] the paper's model, from what is perceived and predicted.
     pub zhuyi: f64,
+    /// [Hz] the same, or what an actor would ask that stands where no camera looks, whichever is more.
+    pub phantom: f64,
     /// [Hz] Responsibility-Sensitive Safety.
     pub rss: f64,
     /// [Hz] time to collision against a threshold.
@@ -69,6 +71,7 @@ impl Demands {
     pub const fn all(demand: f64) -> Self {
         Self {
             zhuyi: demand,
+            phantom: demand,
             rss: demand,
             ttc: demand,
             pylot: demand,
@@ -116,6 +119,7 @@ impl CameraState<'_> {
     fn check(&self) -> Result<(), PolicyError> {
         let Demands {
             zhuyi,
+            phantom,
             rss,
             ttc,
             pylot,
@@ -124,6 +128,7 @@ impl CameraState<'_> {
         let numbers = [
             ("rate", self.rate),
             ("demand", zhuyi),
+            ("demand with phantoms", phantom),
             ("RSS demand", rss),
             ("TTC demand", ttc),
             ("Pylot demand", pylot),

@@ -17,6 +17,8 @@
 //! | [`proportional`](policies::proportional) | the demand, in proportion | the paper, section on a Zhuyi-based system |
 //! | [`demand-first`](policies::demand_first) | the demand, then equal parts | our own |
 //! | [`demand-hysteresis`](policies::hysteresis) | the same, falling late | our own |
+//! | [`demand-only`](policies::demand_only) | the demand, and saves the rest | the paper's figure of 36 % |
+//! | [`phantom`](policies::phantom), [`phantom-only`](policies::phantom_only) | the same two, counting who may stand where no camera looks | our own |
 //! | [`importance`](policies::importance) | sum of 1/l over actors | the paper, same section |
 //! | [`rss`](policies::rss) | RSS demand | Shalev-Shwartz et al., arXiv 1708.06374 |
 //! | [`ttc`](policies::ttc) | demand of time to collision | Hayward 1972 |

@@ -103,7 +103,7 @@ impl Accelerator {
     /// // 10 ms per frame. Two frames at once: the second waits for 10 ms and is ready after 20.
     /// let mut accelerator = Accelerator::new(Chip { tops: 50.0, gop_per_frame: 500.0, ..Chip::default() })?;
     /// for camera in [CameraId(0), CameraId(1)] {
-    ///     accelerator.push(Queued { camera, exposed: ms(0), deadline: ms(100) }, ms(0));
+    ///     accelerator.push(Queued { camera, exposed: ms(0), deadline: ms(100) }, ms(0), |_| ());
     /// }
     /// assert_eq!(accelerator.next_ready(), Some(ms(10)));
     /// assert_eq!(accelerator.take(ms(15)).map(|done| done.latency()), Some(ms(10)));
@@ -126,17 +126,21 @@ impl Accelerator {
         })
     }
 
-    /// A frame arrives at `now`.
-    pub fn push(&mut self, frame: Queued, now: SimTime) {
+    /// A frame arrives at `now`. `dropped` is told of each one that it makes stale.
+    pub fn push(&mut self, frame: Queued, now: SimTime, mut dropped: impl FnMut(Queued)) {
         self.now = self.now.max(now);
         // Choices before this instant are past; the choice at this instant may yet fall on this frame.
         self.begin_while(|start, now| start < now);
         self.counts.pushed += 1;
         if self.chip.drop_stale {
-            let before = self.waiting.len();
-            self.waiting
-                .retain(|w| w.frame.camera != frame.camera || w.frame.exposed > frame.exposed);
-            self.counts.dropped += (before - self.waiting.len()) as u64;
+            self.waiting.retain(|Waiting { frame: old, .. }| {
+                let stale = old.camera == frame.camera && old.exposed <= frame.exposed;
+                if stale {
+                    self.counts.dropped += 1;
+                    dropped(*old);
+                }
+                !stale
+            });
         }
         self.waiting.push(Waiting {
             frame,
@@ -157,6 +161,11 @@ impl Accelerator {
         self.begin_while(|start, now| start <= now);
         let ready = self.begun.front()?.ready <= self.now;
         if ready { self.begun.pop_front() } else { None }
+    }
+
+    /// From now on frames go in this order.
+    pub fn set_discipline(&mut self, discipline: Discipline) {
+        self.chip.discipline = discipline;
     }
 
     /// How many frames wait, without the one under work.

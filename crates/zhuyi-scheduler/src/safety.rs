@@ -32,65 +32,6 @@ pub fn falls_short(rate: f64, demand: f64) -> bool {
     rate < demand - ROUNDING
 }
 
-/// An alarm of one camera.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Alarm {
-    /// Its place in the rig.
-    pub camera: usize,
-    /// [s] the first check that found it.
-    pub raised: f64,
-    /// [s] the first check that found it no more; None while it lasts.
-    pub cleared: Option<f64>,
-}
-
-/// The check over a run: the alarms that there were.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct SafetyCheck {
-    alarms: Vec<Alarm>,
-}
-
-impl SafetyCheck {
-    /// Checks all cameras at `time` [s] and says whether any alarm stands.
-    ///
-    /// ```
-    /// use zhuyi_scheduler::safety::SafetyCheck;
-    /// let mut check = SafetyCheck::default();
-    /// assert!(!check.check(0.0, &[10.0, 1.0], &[9.0, 1.0]));
-    /// assert!(check.check(0.1, &[10.0, 1.0], &[12.0, 1.0]));
-    /// assert!(check.check(0.2, &[10.0, 1.0], &[11.0, 1.0]));
-    /// assert!(!check.check(0.3, &[10.0, 1.0], &[8.0, 1.0]));
-    /// let [alarm] = check.alarms() else { panic!() };
-    /// assert_eq!((alarm.camera, alarm.raised, alarm.cleared), (0, 0.1, Some(0.3)));
-    /// ```
-    pub fn check(&mut self, time: f64, rates: &[f64], demands: &[f64]) -> bool {
-        let mut any = false;
-        for (camera, (&rate, &demand)) in rates.iter().zip(demands).enumerate() {
-            let short = falls_short(rate, demand);
-            any |= short;
-            let standing = self
-                .alarms
-                .iter_mut()
-                .rev()
-                .find(|alarm| alarm.camera == camera && alarm.cleared.is_none());
-            match standing {
-                None if short => self.alarms.push(Alarm {
-                    camera,
-                    raised: time,
-                    cleared: None,
-                }),
-                Some(alarm) if !short => alarm.cleared = Some(time),
-                _ => {}
-            }
-        }
-        any
-    }
-
-    /// All alarms so far, in the order in which they were raised.
-    pub fn alarms(&self) -> &[Alarm] {
-        &self.alarms
-    }
-}
-
 /// What the system does while an alarm stands.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Response {

@@ -10,7 +10,10 @@
 
 use zhuyi_core::{Body, Forecast, Frenet, Road, SimTime, Track};
 use zhuyi_estimator::rivals::Rivals;
-use zhuyi_estimator::{Answer, Demand, Ego, Estimator, Future, Moment, SafetyModel, Seen, Watch};
+use zhuyi_estimator::{
+    Answer, Demand, Ego, Estimator, Future, Moment, PhantomParams, SafetyModel, Seen, Surroundings,
+    Watch,
+};
 use zhuyi_scenario::System;
 use zhuyi_scheduler::Demands;
 
@@ -37,6 +40,10 @@ pub struct Asked {
     pub importance: Vec<f64>,
     /// [Hz] the rate that the camera had.
     pub rates: Vec<f64>,
+    /// [Hz] the rate that it has from then on.
+    pub granted: Vec<f64>,
+    /// Whether that falls short of the demand.
+    pub alarms: Vec<bool>,
 }
 
 impl<'a> Online<'a> {
@@ -109,8 +116,10 @@ impl<'a> Online<'a> {
             by(&self.rivals.ttc),
             by(&self.rivals.pylot),
         );
+        let with_phantoms = self.with_phantoms(body, tracks, &rig, &demands);
         let by_model = (0..rig.len()).map(|camera| Demands {
             zhuyi: demands[camera].fpr,
+            phantom: with_phantoms[camera].fpr,
             rss: rss[camera],
             ttc: ttc[camera],
             pylot: pylot[camera],
@@ -119,9 +128,69 @@ impl<'a> Online<'a> {
         Asked {
             time,
             by_model: by_model.collect(),
+            alarms: vec![false; rig.len()],
+            granted: rates.clone(),
             demands,
             importance,
             rates,
+        }
+    }
+
+    /// The demands of who is confirmed, and of who may stand where no camera sees past them.
+    fn with_phantoms(
+        &self,
+        ego: &Body,
+        tracks: &[Track],
+        rig: &[Watch<'_>],
+        demands: &[Demand],
+    ) -> Vec<Demand> {
+        let bodies: Vec<Body> = tracks.iter().map(|track| self.body(track)).collect();
+        let path = |s: f64| self.road.world_from_road(Frenet { s, d: ego.road.d });
+        let around = Surroundings {
+            ego,
+            bodies: &bodies,
+            path,
+        };
+        let params = PhantomParams {
+            footprint: self.system.vehicle.footprint,
+            speed: 0.0,
+            headway: self.system.online.phantom_headway,
+            visible_share: self.system.perception.visible_share,
+        };
+        let mut demands = demands.to_vec();
+        if let Some(phantom) = around.phantom(rig, &params) {
+            let this = Ego {
+                s: ego.road.s,
+                d: ego.road.d,
+                speed: ego.speed,
+                accel: ego.accel,
+                footprint: ego.footprint,
+            };
+            for (watch, demand) in rig.iter().zip(&mut demands) {
+                if phantom.counts_for(watch.camera, ego.pose, params.footprint) {
+                    let answer = self.estimator.trajectory(
+                        &this,
+                        params.footprint,
+                        &phantom.future(),
+                        watch.current_latency,
+                    );
+                    self.estimator.add_phantom(demand, &answer);
+                }
+            }
+        }
+        demands
+    }
+
+    /// A track as a body.
+    fn body(&self, track: &Track) -> Body {
+        Body {
+            footprint: track.footprint,
+            road: track.road,
+            pose: self.road.world_from_road(track.road),
+            speed: track.s_rate.max(0.0),
+            accel: track.s_accel,
+            s_rate: track.s_rate,
+            d_rate: track.d_rate,
         }
     }
 

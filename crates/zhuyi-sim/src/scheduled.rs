@@ -1,15 +1,25 @@
-//! The second loop: demands ─▶ policy ─▶ rates of the cameras, while driving.
+//! The second loop: demands ─▶ policy ─▶ rates of the cameras, while driving; and the check on them.
 //!
 //! ```text
 //!  every period:  beliefs ──▶ [online] ──Asked──▶ [policy under a budget] ──rates──▶ cameras (reading R15)
+//!                                          │                                  │
+//!                                          └────────▶ [safety check] ◀────────┘
+//!                                                          └─ alarm ─▶ response: brake, limit functions, raise rates
 //!  every tick:    the first loop, as without it
 //! ```
+//!
+//! An alarm is raised by a camera whose rate, as the policy has just set it, is below its demand (the paper, section on a
+//! Zhuyi-based system, "Safety check"). The response goes on for `hold` after the last alarm, so that what it mends does
+//! not end it at once.
 
 use zhuyi_core::{FrameRates, SimTime};
 use zhuyi_estimator::Estimator;
 use zhuyi_scenario::{Scenario, System};
-use zhuyi_scheduler::{CameraState, Demands, Policy, PolicyError, Situation};
+use zhuyi_scheduler::safety::{Measures, falls_short};
+use zhuyi_scheduler::sharing::CAP;
+use zhuyi_scheduler::{CameraState, Demands, Discipline, Policy, PolicyError, Situation};
 
+use crate::draws::Draws;
 use crate::offline::Hindsight;
 use crate::online::{Asked, Online};
 use crate::outcome::Run;
@@ -32,6 +42,8 @@ pub struct Scheduled<'a> {
     allocation: Option<Allocation>,
     due: SimTime,
     asked: Vec<Asked>,
+    /// When the last alarm was raised.
+    alarm: Option<SimTime>,
     /// [Hz] of every decision and camera, where the future is known.
     offline: Vec<Vec<f64>>,
 }
@@ -51,21 +63,50 @@ pub fn known_future(trace: &Trace, system: &System, rates: &FrameRates) -> Vec<V
         .collect()
 }
 
+/// [Hz] a budget in equal parts, at most 30 each: what policies are told that every camera has before the first
+/// decision, which falls before the first tick.
+///
+/// # Panics
+/// If the budget is not positive and finite.
+pub fn equal_parts(system: &System, budget: f64) -> FrameRates {
+    let cameras = system.perception.eyes.len();
+    FrameRates::new(vec![(budget / cameras as f64).min(CAP); cameras])
+}
+
 impl<'a> Scheduled<'a> {
-    /// Adds the second loop to a run at its start. Without an allocation the estimate is recorded and rates stay.
+    /// A run in which a policy sets the rates, from its first tick on.
+    ///
+    /// # Panics
+    /// If the budget is not positive and finite, or the system has an accelerator that cannot be.
     pub fn new(
-        simulation: Simulation<'a>,
         scenario: &'a Scenario,
         system: &'a System,
-        allocation: Option<Allocation>,
+        draws: Draws<'_>,
+        allocation: Allocation,
+    ) -> Self {
+        let rates = equal_parts(system, allocation.budget);
+        let mut scheduled = Self::watching(scenario, system, &rates, draws);
+        let order = Discipline::for_policy(allocation.policy.name());
+        scheduled.simulation.set_discipline(order);
+        scheduled.allocation = Some(allocation);
+        scheduled
+    }
+
+    /// A run with the estimate beside it, at rates that stay; alarms and responses as with a policy.
+    pub fn watching(
+        scenario: &'a Scenario,
+        system: &'a System,
+        rates: &FrameRates,
+        draws: Draws<'_>,
     ) -> Self {
         Self {
-            simulation,
+            simulation: Simulation::new(scenario, system, rates, draws),
             system,
             online: Online::new(system, &scenario.road),
-            allocation,
+            allocation: None,
             due: SimTime::ZERO,
             asked: Vec::new(),
+            alarm: None,
             offline: Vec::new(),
         }
     }
@@ -74,6 +115,13 @@ impl<'a> Scheduled<'a> {
     #[must_use]
     pub fn with_known_future(mut self, offline: Vec<Vec<f64>>) -> Self {
         self.offline = offline;
+        self
+    }
+
+    /// The same run, with a record of what it knew.
+    #[must_use]
+    pub fn witnessed(mut self) -> Self {
+        self.simulation = self.simulation.witnessed();
         self
     }
 
@@ -98,32 +146,74 @@ impl<'a> Scheduled<'a> {
         }
         self.due += self.system.online.period;
         let speed = ego.speed;
-        let asked = self.online.ask(time, ego, tracks, rates);
-        if let Some(Allocation { policy, budget }) = &mut self.allocation {
-            let offline = self.offline.get(self.asked.len()).or(self.offline.last());
-            let eyes = self.system.perception.eyes.iter().enumerate();
-            let cameras: Vec<CameraState<'_>> = eyes
-                .map(|(place, eye)| CameraState {
-                    name: &eye.camera.name,
-                    rate: asked.rates[place],
-                    demands: Demands {
-                        offline: offline.map(|demands| demands[place]),
-                        ..asked.by_model[place]
-                    },
-                    importance: asked.importance[place],
-                })
-                .collect();
-            let situation = Situation {
-                time: time.seconds(),
-                budget: *budget,
-                ego_speed: speed,
-                cameras: &cameras,
-            };
-            let mut rates = asked.rates.clone();
-            policy.decide(&situation, &mut rates)?;
-            self.simulation.set_rates(&rates);
-        }
+        let mut asked = self.online.ask(time, ego, tracks, rates);
+        let measures = self.measures(time);
+        self.allocate(&mut asked, speed, measures)?;
+        self.check(&mut asked);
+        self.simulation.set_rates(&asked.granted);
+        self.simulation
+            .set_demands(asked.demands.iter().map(|demand| demand.fpr));
+        let measures = self.measures(time);
+        self.simulation.take(measures);
         self.asked.push(asked);
         Ok(())
+    }
+
+    /// What the response to alarms up to now changes at `time`.
+    fn measures(&self, time: SimTime) -> Measures {
+        let online = &self.system.online;
+        let stands = |raised: SimTime| (time - raised).nanos() as f64 <= online.hold * 1e9;
+        let budget = self.allocation.as_ref().map_or(0.0, |a| a.budget);
+        online
+            .response
+            .measures(self.alarm.is_some_and(stands), budget)
+    }
+
+    /// Lets the policy set the rates, if there is one.
+    fn allocate(
+        &mut self,
+        asked: &mut Asked,
+        ego_speed: f64,
+        measures: Measures,
+    ) -> Result<(), PolicyError> {
+        let Some(Allocation { policy, budget }) = &mut self.allocation else {
+            return Ok(());
+        };
+        let offline = self.offline.get(self.asked.len()).or(self.offline.last());
+        let eyes = self.system.perception.eyes.iter().enumerate();
+        let cameras: Vec<CameraState<'_>> = eyes
+            .map(|(place, eye)| CameraState {
+                name: &eye.camera.name,
+                rate: asked.rates[place],
+                demands: Demands {
+                    offline: offline.map(|demands| demands[place]),
+                    ..asked.by_model[place]
+                },
+                importance: asked.importance[place],
+            })
+            .collect();
+        let situation = Situation {
+            time: asked.time.seconds(),
+            budget: *budget + measures.extra_budget,
+            ego_speed,
+            cameras: &cameras,
+        };
+        policy.decide(&situation, &mut asked.granted)
+    }
+
+    /// Raises the alarms, and the rates where that is the response.
+    fn check(&mut self, asked: &mut Asked) {
+        let demands: Vec<f64> = asked.demands.iter().map(|demand| demand.fpr).collect();
+        let pairs = asked.granted.iter().zip(&demands);
+        asked.alarms = pairs
+            .map(|(rate, demand)| falls_short(*rate, *demand))
+            .collect();
+        if asked.alarms.contains(&true) {
+            self.alarm = Some(asked.time);
+        }
+        if let Some(Allocation { budget, .. }) = &self.allocation {
+            let response = self.system.online.response;
+            asked.granted = response.rates(&asked.granted, &demands, *budget);
+        }
     }
 }

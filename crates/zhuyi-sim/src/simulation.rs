@@ -1,15 +1,20 @@
 //! The loop: one tick moves the truth by one step, with the ego acting on what its cameras have told it so far.
 
 use rand::RngExt;
-use zhuyi_core::{Body, CameraId, Forecast, FrameRates, Frenet, SimTime, Track};
+use zhuyi_core::{
+    Body, CameraId, Command, Forecast, FrameRates, Frenet, Manoeuvre, SimTime, Track,
+};
 use zhuyi_perception::{Eyes, Purpose, Tracker};
 use zhuyi_planner::Planner;
 use zhuyi_scenario::{Scenario, System};
+use zhuyi_scheduler::safety::Measures;
+use zhuyi_scheduler::{Compute, Discipline};
 use zhuyi_world::script::{Actor, Behaviour};
 use zhuyi_world::{Contact, Ego, Start, World};
 
 use crate::draws::Draws;
 use crate::outcome::{Collision, Frames, Outcome, Run};
+use crate::pipeline::Pipeline;
 use crate::trace::Trace;
 use crate::witness::Witness;
 
@@ -22,8 +27,12 @@ pub struct Simulation<'a> {
     system: &'a System,
     world: World<'a>,
     eyes: Eyes,
+    /// None where a frame takes its period.
+    pipeline: Option<Pipeline>,
     tracker: Tracker,
     planner: Planner<'a>,
+    /// Whether a backup system brakes.
+    backup: bool,
     forecasts: Vec<Forecast>,
     trace: Trace,
     witness: Option<Witness>,
@@ -63,6 +72,10 @@ impl<'a> Simulation<'a> {
             scenario,
             system,
             eyes,
+            pipeline: match system.compute {
+                Compute::Ideal => None,
+                Compute::Accelerator(chip) => Some(Pipeline::new(chip, rates.all())),
+            },
             tracker,
             planner: Planner::new(
                 &system.planner,
@@ -70,6 +83,7 @@ impl<'a> Simulation<'a> {
                 scenario.ego.lane,
                 scenario.ego.speed,
             ),
+            backup: false,
             forecasts: Vec::new(),
             trace: Trace::new(scenario.actors.iter().map(|a| a.name.as_str())),
             world,
@@ -95,9 +109,14 @@ impl<'a> Simulation<'a> {
                 .iter()
                 .map(|track| self.system.predictor.forecast(track, road)),
         );
-        let command = self
+        let planned = self
             .planner
             .plan(scene.time, &scene.ego, tracks, &self.forecasts);
+        let command = if self.backup {
+            backed_up(planned, self.system.estimator.c3)
+        } else {
+            planned
+        };
         self.trace.push(scene, command);
         if let Some(witness) = &mut self.witness {
             witness.step(scene.time, &self.tracker, &self.eyes);
@@ -106,6 +125,12 @@ impl<'a> Simulation<'a> {
         let now = self.world.scene().time;
         self.eyes
             .expose(now, |instant, scene| self.world.scene_at(instant, scene));
+        if let Some(witness) = &mut self.witness {
+            witness.exposed(self.eyes.in_flight());
+        }
+        if let Some(pipeline) = &mut self.pipeline {
+            pipeline.process(&mut self.eyes, now);
+        }
         while let Some(frame) = self.eyes.deliver(now) {
             self.tracker.update(&frame, road);
             if let Some(witness) = &mut self.witness {
@@ -132,7 +157,7 @@ impl<'a> Simulation<'a> {
     /// The end of the run, with the contact that the last tick returned.
     pub(crate) fn finish(mut self, contact: Option<Contact>) -> Run {
         if let Some(witness) = &mut self.witness {
-            witness.end(self.eyes.in_flight());
+            witness.end();
         }
         let outcome = match contact {
             None => Outcome::Completed,
@@ -146,6 +171,10 @@ impl<'a> Simulation<'a> {
         let frames = (0..self.system.perception.eyes.len() as u8).map(|camera| Frames {
             exposed: self.eyes.frames_exposed(CameraId(camera)),
             processed: self.eyes.frames_processed(CameraId(camera)),
+            dropped: self
+                .pipeline
+                .as_ref()
+                .map_or(0, |pipeline| pipeline.dropped(CameraId(camera))),
         });
         Run {
             outcome,
@@ -167,12 +196,49 @@ impl<'a> Simulation<'a> {
         cameras.map(|camera| self.eyes.rate(camera)).collect()
     }
 
-    /// Sets the rate of every camera from now on (reading R15).
+    /// The order in which frames go where they queue for an accelerator.
+    pub(crate) fn set_discipline(&mut self, discipline: Discipline) {
+        if let Some(pipeline) = &mut self.pipeline {
+            pipeline.set_discipline(discipline);
+        }
+    }
+
+    /// [Hz] what is asked of every camera, from which the deadlines of its frames follow.
+    pub(crate) fn set_demands(&mut self, demands: impl Iterator<Item = f64>) {
+        if let Some(pipeline) = &mut self.pipeline {
+            pipeline.set_demands(demands);
+        }
+    }
+
+    /// Takes measures from now on, until others are taken.
+    pub(crate) fn take(&mut self, measures: Measures) {
+        self.backup = measures.brake;
+        self.planner
+            .hold_back(measures.lower_speed, measures.longer_headway);
+    }
+
+    /// Sets the rate of every camera from now on (reading R15); before the first tick, as if they had run at it before.
     pub(crate) fn set_rates(&mut self, rates: &[f64]) {
         let now = self.world.scene().time;
         for (camera, hz) in (0..).map(CameraId).zip(rates) {
-            self.eyes.set_rate(camera, *hz, now);
+            if now == SimTime::ZERO {
+                self.eyes.begin_at(camera, *hz);
+            } else {
+                self.eyes.set_rate(camera, *hz, now);
+            }
         }
+    }
+}
+
+/// What a backup system makes of a command: it brakes with `decel` [m/s2] at least.
+fn backed_up(planned: Command, decel: f64) -> Command {
+    if planned.accel <= -decel {
+        return planned;
+    }
+    Command {
+        accel: -decel,
+        manoeuvre: Manoeuvre::Brake,
+        ..planned
     }
 }
 

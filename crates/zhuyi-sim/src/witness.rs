@@ -2,11 +2,11 @@
 //! afterwards; nothing in the loop reads it, and a run without it does not pay for it.
 //!
 //! ```text
-//!  frame:   exposed ──latency──▶ ready ──next step──▶ taken, if the run lasts as long
+//!  frame:   exposed ──latency, or the accelerator's queue──▶ ready ──next step──▶ taken, unless dropped
 //!  belief:  what the planner was handed at a step, and beside it who was found but not yet confirmed
 //! ```
 //!
-//! Left out: frames that were overtaken by a later one of their camera (reading R15), and what a frame measured.
+//! Left out: what a frame measured, and why one was dropped.
 
 use zhuyi_core::{ActorId, CameraId, Frame, SimTime};
 use zhuyi_perception::tracker::Knowledge;
@@ -31,25 +31,13 @@ pub struct Taken {
     pub camera: CameraId,
     /// When it was exposed.
     pub exposed: SimTime,
-    /// When its result was ready.
-    pub ready: SimTime,
-    /// The step from which on the ego knew it; none when the run ended before.
+    /// The step from which on the ego knew it; none when the run ended before, or it was dropped.
     pub taken: Option<SimTime>,
     /// Who was found in it, in order.
     pub found: Vec<ActorId>,
 }
 
 impl Taken {
-    fn new(frame: &Frame, taken: Option<SimTime>) -> Self {
-        Self {
-            camera: frame.camera,
-            exposed: frame.exposed,
-            ready: frame.ready,
-            taken,
-            found: frame.detections.iter().map(|found| found.actor).collect(),
-        }
-    }
-
     /// Whether an actor was found in it.
     pub fn shows(&self, actor: ActorId) -> bool {
         self.found.contains(&actor)
@@ -75,15 +63,36 @@ impl Witness {
         self.rates.extend(cameras.map(|camera| eyes.rate(camera)));
     }
 
-    /// The tracker has taken a frame.
-    pub(crate) fn taken(&mut self, now: SimTime, frame: &Frame) {
-        self.frames.push(Taken::new(frame, Some(now)));
+    /// Pictures have been taken; some of them may be known already.
+    pub(crate) fn exposed(&mut self, in_flight: &[Frame]) {
+        for frame in in_flight {
+            if self.record(frame).is_none() {
+                self.frames.push(Taken {
+                    camera: frame.camera,
+                    exposed: frame.exposed,
+                    taken: None,
+                    found: frame.detections.iter().map(|found| found.actor).collect(),
+                });
+            }
+        }
     }
 
-    /// The run is over: what has been exposed and not become ready.
-    pub(crate) fn end(&mut self, in_flight: &[Frame]) {
-        let open = in_flight.iter().map(|frame| Taken::new(frame, None));
-        self.frames.extend(open);
+    /// The tracker has taken a frame.
+    pub(crate) fn taken(&mut self, now: SimTime, frame: &Frame) {
+        if let Some(record) = self.record(frame) {
+            record.taken = Some(now);
+        }
+    }
+
+    /// The record of a frame. Records are made in the order of exposure.
+    fn record(&mut self, frame: &Frame) -> Option<&mut Taken> {
+        let records = self.frames.iter_mut().rev();
+        let mut late = records.take_while(|record| record.exposed >= frame.exposed);
+        late.find(|record| record.camera == frame.camera && record.exposed == frame.exposed)
+    }
+
+    /// The run is over.
+    pub(crate) fn end(&mut self) {
         self.frames
             .sort_by_key(|frame| (frame.exposed, frame.camera));
     }

@@ -63,7 +63,7 @@ pub struct Arguments {
     #[arg(
         long,
         value_name = "POLICY",
-        requires = "budget_fps",
+        requires = "budget",
         conflicts_with = "fpr"
     )]
     policy: Option<String>,
@@ -72,9 +72,19 @@ pub struct Arguments {
         long,
         value_name = "N",
         requires = "policy",
+        group = "budget",
         allow_hyphen_values = true
     )]
     budget_fps: Option<String>,
+    /// The same in TOPS of an accelerator
+    #[arg(
+        long,
+        value_name = "N",
+        requires = "policy",
+        group = "budget",
+        allow_hyphen_values = true
+    )]
+    budget_tops: Option<String>,
     /// Print one JSON document instead of text
     #[arg(long)]
     json: bool,
@@ -100,6 +110,7 @@ impl Arguments {
             report: None,
             policy: self.policy,
             budget_fps: self.budget_fps,
+            budget_tops: self.budget_tops,
             json: false,
         };
         Ok(Explain {

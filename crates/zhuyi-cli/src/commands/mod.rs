@@ -1,6 +1,7 @@
 //! The commands. Each file has the arguments as typed, what they mean, and the run.
 
 mod beyond;
+mod budget;
 mod check;
 mod compare;
 mod delivery;

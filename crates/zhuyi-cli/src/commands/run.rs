@@ -11,10 +11,14 @@ use zhuyi_core::FrameRates;
 use zhuyi_estimator::grid::MAX_FPR;
 use zhuyi_report::{Drive, page};
 use zhuyi_scenario::{Scenario, System};
-use zhuyi_scheduler::policy;
-use zhuyi_sim::{Allocation, Asked, Draws, Scheduled, Simulation, known_future, trace_csv};
+use zhuyi_scheduler::safety::Response;
+use zhuyi_scheduler::{Policy, policy};
+use zhuyi_sim::{
+    Allocation, Asked, Draws, Scheduled, Simulation, equal_parts, known_future, trace_csv,
+};
 
 use super::Task;
+use super::budget::Budget;
 use super::explain::Explanation;
 use crate::answer::Answer;
 use crate::argument::Argument;
@@ -50,16 +54,19 @@ up to the contact.
 The trace has one row per time and vehicle: time_s, id, x_m, y_m, heading_rad, speed_mps, accel_mps2, length_m, width_m, \
 s_m, d_m, lane. The ego's id is `ego`. The same command gives the same bytes.
 
-With --policy and --budget-fps a policy shares the budget between the cameras every 100 ms: uniform, proportional (to the \
-demand, the paper's), demand-first, demand-hysteresis, importance, rss, ttc, pylot, edf (as demand-first here, where a frame \
-takes its period), clairvoyant (knows the same drive at 30 FPR), static:front=10,left=1 (others share what is left) and \
-exec:COMMAND, a program of yours. It reads per decision one line {\"time_s\":..,\"budget_fps\":..,\"floor_fps\":..,\
-\"cap_fps\":..,\"ego_speed_mps\":..,\"cameras\":[{\"name\",\"rate_fps\",\"demand_fps\",\"rss_fps\",\"ttc_fps\",\"pylot_fps\",\
+With --policy and a budget a policy shares the budget between the cameras every 100 ms: uniform, proportional (to the \
+demand, the paper's), demand-first, demand-hysteresis, demand-only (saves what nobody asks for), phantom and phantom-only (count \
+cars assumed where no camera looks), importance, rss, ttc, pylot, edf (demand-first, and the accelerator takes the frame with \
+the earliest deadline), clairvoyant (knows the same drive at 30 FPR), static:front=10,left=1 (others share what is left) and \
+exec:COMMAND, a program of yours. With --budget-fps a frame takes its period; with --budget-tops frames queue for an accelerator \
+of that speed (519.6 GOP a frame; system file: compute). A camera below its demand raises an alarm (system file: online.response \
+says what follows). A program reads per decision one line {\"time_s\":..,\"budget_fps\":..,\"floor_fps\":..,\
+\"cap_fps\":..,\"ego_speed_mps\":..,\"cameras\":[{\"name\",\"rate_fps\",\"demand_fps\",\"phantom_fps\",\"rss_fps\",\"ttc_fps\",\"pylot_fps\",\
 \"importance_hz\"},..]} and answers within 2 s with one line {\"rates_fps\":[..]}, a rate per camera in that order, flushed \
 (python3 -u, jq --unbuffered). The drive begins at the budget in equal parts; `ran at` is then the mean.
 
 The file of --online has one row per decision and camera: time_s, camera, rate_fps, online_fps, online_actor, offline_fps, \
-offline_actor. Both estimates take l_0 = 1/30 s (system file: online), whatever the camera runs at, so offline_fps is not the \
+offline_actor, granted_fps (the rate from then on), alarm. Both estimates take l_0 = 1/30 s (system file: online), whatever the camera runs at, so offline_fps is not the \
 demand printed, which takes l_0 = 1/rate.")]
 pub struct Arguments {
     /// A scenario's name (see zhuyi list) or the path of a .ron file
@@ -101,7 +108,7 @@ pub struct Arguments {
     #[arg(
         long,
         value_name = "POLICY",
-        requires = "budget_fps",
+        requires = "budget",
         conflicts_with = "fpr"
     )]
     pub policy: Option<String>,
@@ -110,9 +117,19 @@ pub struct Arguments {
         long,
         value_name = "N",
         requires = "policy",
+        group = "budget",
         allow_hyphen_values = true
     )]
     pub budget_fps: Option<String>,
+    /// The same in TOPS of an accelerator, for which the frames then queue
+    #[arg(
+        long,
+        value_name = "N",
+        requires = "policy",
+        group = "budget",
+        allow_hyphen_values = true
+    )]
+    pub budget_tops: Option<String>,
     /// Print one JSON document instead of text; its names carry their units
     #[arg(long)]
     pub json: bool,
@@ -146,10 +163,6 @@ impl Arguments {
         let rates = Rates::read(self.fpr.as_deref(), &mut problems);
         let rates = rates.zip(read.system.as_ref());
         let rates = rates.and_then(|(rates, system)| rates.of(system, &mut problems));
-        let rates = rates.map(|rates| match self.budget_fps.as_deref().map(str::parse) {
-            Some(Ok(budget)) => equal_parts(budget, &rates),
-            _ => rates,
-        });
         let root_seed = seed("--root-seed", &self.root_seed, &mut problems);
         let seed = seed("--seed", &self.seed, &mut problems);
         let mut place = |path: &Option<PathBuf>| match path {
@@ -158,19 +171,28 @@ impl Arguments {
         };
         let (trace, online) = (place(&self.trace), place(&self.online));
         let report = place(&self.report);
-        let allocation = self.allocation(&mut problems);
+        let budget = self.budget(&mut problems);
+        let policy = self.policy(&mut problems);
         let scenario = read.scenarios.and_then(|mut scenarios| scenarios.pop());
         let run = || {
+            let (mut system, mut rates) = (read.system?, rates?);
+            let budget = budget?.map(|budget| budget.of(&mut system));
+            if let Some(budget) = budget {
+                rates = equal_parts(&system, budget);
+            }
+            let allocation = policy?
+                .zip(budget)
+                .map(|(policy, budget)| Allocation { policy, budget });
             Some(Run {
                 scenario: scenario?,
-                system: read.system?,
-                rates: rates?,
+                system,
+                rates,
                 seed: seed?,
                 root_seed: root_seed?,
                 trace: trace?,
                 online: online?,
                 report: report?,
-                allocation: allocation?,
+                allocation,
                 json: self.json,
                 typed: self,
             })
@@ -190,24 +212,34 @@ impl Arguments {
         }
     }
 
-    /// The policy and its budget, if one was typed.
+    /// The policy, if one was typed.
     #[expect(clippy::option_option, reason = "refused, or read: none or one")]
-    fn allocation(&self, problems: &mut Problems) -> Option<Option<Allocation>> {
-        let (Some(name), Some(budget)) = (&self.policy, &self.budget_fps) else {
+    fn policy(&self, problems: &mut Problems) -> Option<Option<Box<dyn Policy>>> {
+        let Some(name) = &self.policy else {
             return Some(None);
         };
-        let argument = Argument::new("--budget-fps", budget);
-        let budget = argument.number(&argument.all(), "a budget", 0.1..=1e4, problems);
-        let policy = match policy(name) {
-            Ok(policy) => Some(policy),
+        match policy(name) {
+            Ok(policy) => Some(Some(policy)),
             Err(error) => {
                 let argument = Argument::new("--policy", name);
                 argument.refuse(&argument.all(), Fault::Policy(error), problems);
                 None
             }
+        }
+    }
+
+    /// The budget, if one was typed.
+    #[expect(clippy::option_option, reason = "refused, or read: none or one")]
+    fn budget(&self, problems: &mut Problems) -> Option<Option<Budget>> {
+        let number = |name, typed: &String, problems: &mut Problems| {
+            let argument = Argument::new(name, typed);
+            argument.number(&argument.all(), "a budget", 0.1..=1e4, problems)
         };
-        let allocation = |(policy, budget)| Some(Allocation { policy, budget });
-        policy.zip(budget).map(allocation)
+        match (&self.budget_fps, &self.budget_tops) {
+            (Some(fps), _) => Some(Some(Budget::Fps(number("--budget-fps", fps, problems)?))),
+            (_, Some(tops)) => Some(Some(Budget::Tops(number("--budget-tops", tops, problems)?))),
+            (None, None) => Some(None),
+        }
     }
 
     /// This drive as typed, at other rates if given, without what is written or printed.
@@ -220,6 +252,7 @@ impl Arguments {
             let flags = [
                 ("--policy", &self.policy),
                 ("--budget-fps", &self.budget_fps),
+                ("--budget-tops", &self.budget_tops),
             ];
             for (flag, value) in flags {
                 words.extend(value.iter().flat_map(|value| [flag, value]));
@@ -235,16 +268,6 @@ impl Arguments {
     }
 }
 
-/// A budget in equal parts, at most 30 each.
-fn equal_parts(budget: f64, cameras: &FrameRates) -> FrameRates {
-    let each = budget / cameras.all().len() as f64;
-    if each.is_finite() && each > 0.0 {
-        FrameRates::new(vec![each.min(MAX_FPR); cameras.all().len()])
-    } else {
-        cameras.clone()
-    }
-}
-
 /// A seed as typed.
 pub fn seed(name: &'static str, typed: &str, problems: &mut Problems) -> Option<u64> {
     let argument = Argument::new(name, typed);
@@ -254,7 +277,7 @@ pub fn seed(name: &'static str, typed: &str, problems: &mut Problems) -> Option<
 impl Task for Run {
     fn run(mut self: Box<Self>) -> Result<Answer, Error> {
         let (run, asked) = self.drive(self.report.is_some())?;
-        let summary = Summary::new(&self, &run);
+        let summary = Summary::new(&self, &run, &asked);
         if let (Some(page), Some(output)) = (self.page(&summary, &run, &asked), self.report.take())
         {
             output.write(page.as_bytes())?;
@@ -290,22 +313,37 @@ impl Run {
             scenario: &self.scenario.name,
             seed: self.seed,
         };
-        let mut simulation = Simulation::new(&self.scenario, &self.system, &self.rates, draws);
-        if witnessed {
-            simulation = simulation.witnessed();
-        }
-        let allocation = self.allocation.take();
-        if allocation.is_none() && self.online.is_none() {
-            return Ok((simulation.run(), Vec::new()));
-        }
-        let future = self.future(allocation.as_ref(), draws);
-        let scheduled = Scheduled::new(simulation, &self.scenario, &self.system, allocation);
-        Ok(scheduled.with_known_future(future).run()?)
+        let (scenario, system, rates) = (&self.scenario, &self.system, &self.rates);
+        let scheduled = match self.allocation.take() {
+            Some(allocation) => {
+                let future = self.future(&allocation, draws);
+                let scheduled = Scheduled::new(scenario, system, draws, allocation);
+                Some(scheduled.with_known_future(future))
+            }
+            // The estimate beside the drive, which it changes only where an alarm does.
+            None if self.online.is_some() || system.online.response != Response::None => {
+                Some(Scheduled::watching(scenario, system, rates, draws))
+            }
+            None => None,
+        };
+        Ok(match scheduled {
+            Some(scheduled) if witnessed => scheduled.witnessed().run()?,
+            Some(scheduled) => scheduled.run()?,
+            None => {
+                let simulation = Simulation::new(scenario, system, rates, draws);
+                let simulation = if witnessed {
+                    simulation.witnessed()
+                } else {
+                    simulation
+                };
+                (simulation.run(), Vec::new())
+            }
+        })
     }
 
     /// The future that the policy `clairvoyant` knows: that of the same drive with every camera at 30 FPR.
-    fn future(&self, allocation: Option<&Allocation>, draws: Draws<'_>) -> Vec<Vec<f64>> {
-        if allocation.is_none_or(|allocation| allocation.policy.name() != "clairvoyant") {
+    fn future(&self, allocation: &Allocation, draws: Draws<'_>) -> Vec<Vec<f64>> {
+        if allocation.policy.name() != "clairvoyant" {
             return Vec::new();
         }
         let full = FrameRates::new(vec![MAX_FPR; self.rates.all().len()]);

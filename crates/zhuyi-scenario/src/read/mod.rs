@@ -2,6 +2,7 @@
 
 mod actor;
 mod beyond;
+mod compute;
 mod estimator;
 mod layout;
 mod manoeuvre;

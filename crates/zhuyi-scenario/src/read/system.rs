@@ -1,5 +1,6 @@
 //! A system as a whole.
 
+use super::compute::compute;
 use super::estimator::estimator;
 use super::online::online;
 use super::planner::{planner, prediction};
@@ -27,7 +28,7 @@ pub(crate) fn system(root: &Node) -> Option<System> {
         let estimator = fields
             .required("estimator")
             .and_then(|node| estimator(&node));
-        let online = online(fields);
+        let (compute, online) = (compute(fields), online(fields));
         let jitter = fields.required("jitter").and_then(|node| jitter(&node));
         let (rig, estimator) = (rig?, estimator?);
         Some(System {
@@ -38,6 +39,7 @@ pub(crate) fn system(root: &Node) -> Option<System> {
             planner: planner?,
             estimator: estimator.params,
             current_latency: estimator.current_latency,
+            compute: compute?,
             online: online?,
             jitter: jitter?,
         })

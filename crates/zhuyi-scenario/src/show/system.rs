@@ -1,12 +1,14 @@
 //! A system as its file.
 
 use super::{degrees, number_for, value::Value};
-use crate::model::{Jitter, System};
+use crate::model::{Jitter, Online, System};
 use Value::{List, Number, Struct, Text, Truth, Variant, Whole};
 use zhuyi_estimator::{Aggregation, Criterion, Evasion, Grid, Solver, Uncertainty};
 use zhuyi_perception::Eye;
 use zhuyi_planner::PlannerParams;
 use zhuyi_prediction::Predictor;
+use zhuyi_scheduler::safety::Response;
+use zhuyi_scheduler::{Chip, Compute};
 use zhuyi_world::Vehicle;
 
 pub(super) fn system(system: &System) -> Value {
@@ -17,20 +19,8 @@ pub(super) fn system(system: &System) -> Value {
         ("prediction", prediction(system.predictor)),
         ("planner", planner(&system.planner)),
         ("estimator", estimator(system)),
-        (
-            "online",
-            Struct(vec![
-                ("prediction", prediction(system.online.predictor)),
-                (
-                    "current_latency",
-                    frame_latency(system.online.current_latency),
-                ),
-                (
-                    "every_ms",
-                    Number(system.online.period.nanos() as f64 / 1e6),
-                ),
-            ]),
-        ),
+        ("compute", compute(&system.compute)),
+        ("online", online(&system.online)),
         (
             "jitter",
             Struct(vec![
@@ -245,6 +235,56 @@ fn evasion(on: Evasion) -> Value {
             ("window_s", Number(on.window)),
         ],
     )
+}
+
+fn compute(compute: &Compute) -> Value {
+    match compute {
+        Compute::Ideal => Variant("Ideal", Vec::new()),
+        Compute::Accelerator(Chip {
+            tops,
+            gop_per_frame,
+            frame_bytes,
+            discipline: _,
+            drop_stale,
+        }) => Variant(
+            "Accelerator",
+            vec![
+                ("tops", Number(*tops)),
+                ("gop_per_frame", Number(*gop_per_frame)),
+                ("frame_bytes", Number(*frame_bytes as f64)),
+                ("drop_stale", Truth(*drop_stale)),
+            ],
+        ),
+    }
+}
+
+fn online(online: &Online) -> Value {
+    let name = |name| Variant(name, Vec::new());
+    let response = match online.response {
+        Response::None => name("Record"),
+        Response::EmergencyBackup => name("EmergencyBackup"),
+        Response::LimitedFunctionality {
+            freed_share,
+            lower_speed,
+            longer_headway,
+        } => Variant(
+            "LimitedFunctionality",
+            vec![
+                ("freed_share", Number(freed_share)),
+                ("lower_speed_mps", Number(lower_speed)),
+                ("longer_headway_s", Number(longer_headway)),
+            ],
+        ),
+        Response::RaiseRates => name("RaiseRates"),
+    };
+    Struct(vec![
+        ("prediction", prediction(online.predictor)),
+        ("current_latency", frame_latency(online.current_latency)),
+        ("every_ms", Number(online.period.nanos() as f64 / 1e6)),
+        ("phantom_headway_s", Number(online.phantom_headway)),
+        ("response", response),
+        ("hold_s", Number(online.hold)),
+    ])
 }
 
 /// Files know deviations alone: covariances between them are not written.

@@ -2,11 +2,14 @@
 
 pub mod clairvoyant;
 pub mod demand_first;
+pub mod demand_only;
 pub mod edf;
 pub mod exec;
 pub mod fixed;
 pub mod hysteresis;
 pub mod importance;
+pub mod phantom;
+pub mod phantom_only;
 pub mod proportional;
 pub mod pylot;
 pub mod rss;
@@ -15,11 +18,14 @@ pub mod uniform;
 
 pub use clairvoyant::Clairvoyant;
 pub use demand_first::DemandFirst;
+pub use demand_only::DemandOnly;
 pub use edf::Edf;
 pub use exec::Exec;
 pub use fixed::Static;
 pub use hysteresis::Hysteresis;
 pub use importance::Importance;
+pub use phantom::Phantom;
+pub use phantom_only::PhantomOnly;
 pub use proportional::Proportional;
 pub use pylot::Pylot;
 pub use rss::Rss;
@@ -29,7 +35,7 @@ pub use uniform::Uniform;
 use crate::Policy;
 
 /// The names that [`policy`] knows, each with a line for help texts. Words in capitals stand for what the user writes.
-pub const NAMES: [(&str, &str); 12] = [
+pub const NAMES: [(&str, &str); 15] = [
     ("uniform", "the same rate for every camera"),
     ("proportional", "in proportion to the demand (the paper's)"),
     ("demand-first", "the demand, then the rest in equal parts"),
@@ -37,6 +43,15 @@ pub const NAMES: [(&str, &str); 12] = [
         "demand-hysteresis",
         "demand first; a demand that falls is kept for a second",
     ),
+    (
+        "demand-only",
+        "the demand and no more: what is left of the budget is saved",
+    ),
+    (
+        "phantom",
+        "demand first, counting cars assumed where no camera looks",
+    ),
+    ("phantom-only", "the same demand and no more"),
     (
         "importance",
         "in proportion to the sum of 1/latency over the actors that a camera covers",
@@ -127,6 +142,9 @@ pub fn policy(name: &str) -> Result<Box<dyn Policy>, UnknownPolicy> {
         "proportional" => Box::new(Proportional),
         "demand-first" => Box::new(DemandFirst),
         "demand-hysteresis" => Box::new(Hysteresis::default()),
+        "demand-only" => Box::new(DemandOnly),
+        "phantom" => Box::new(Phantom),
+        "phantom-only" => Box::new(PhantomOnly),
         "importance" => Box::new(Importance),
         "rss" => Box::new(Rss),
         "ttc" => Box::new(Ttc),

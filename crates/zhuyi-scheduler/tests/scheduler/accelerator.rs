@@ -29,7 +29,7 @@ fn run(chip: Chip, frames: &[(u8, i64, i64)]) -> (Vec<Processed>, Accelerator) {
             exposed: ms(exposed),
             deadline: ms(deadline),
         };
-        accelerator.push(frame, ms(exposed));
+        accelerator.push(frame, ms(exposed), |_| ());
     }
     let mut done = Vec::new();
     while let Some(ready) = accelerator.next_ready() {
@@ -279,7 +279,7 @@ proptest! {
         while now < 2000 {
             while let Some(((camera, exposed, deadline), rest)) = left.split_first().filter(|(f, _)| f.1 <= now) {
                 let frame = Queued { camera: CameraId(*camera), exposed: ms(*exposed), deadline: ms(*deadline) };
-                accelerator.push(frame, ms(*exposed));
+                accelerator.push(frame, ms(*exposed), |_| ());
                 left = rest;
             }
             while let Some(processed) = accelerator.take(ms(now)) {

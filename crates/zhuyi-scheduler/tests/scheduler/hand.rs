@@ -16,12 +16,13 @@ fn rates(name: &str, scene: &Scene) -> Vec<f64> {
 fn hand_each_policy_looks_at_its_own_number() {
     // Two cameras; each model asks 9 of the first and 3 of the second, or the other way round.
     let mut scene = Scene::asking(&[1.0, 1.0], 12.0);
-    let settings: [(&str, Set); 9] = [
+    let settings: [(&str, Set); 10] = [
         ("proportional", |camera, x| camera.demands.zhuyi = x),
         ("demand-first", |camera, x| camera.demands.zhuyi = x),
         ("demand-hysteresis", |camera, x| camera.demands.zhuyi = x),
         ("edf", |camera, x| camera.demands.zhuyi = x),
         ("importance", |camera, x| camera.importance = x),
+        ("phantom", |camera, x| camera.demands.phantom = x),
         ("rss", |camera, x| camera.demands.rss = x),
         ("ttc", |camera, x| camera.demands.ttc = x),
         ("pylot", |camera, x| camera.demands.pylot = x),
@@ -39,18 +40,21 @@ fn hand_each_policy_looks_at_its_own_number() {
 }
 
 #[test]
-fn hand_a_surplus_goes_in_proportion_or_in_equal_parts() {
-    // 8 + 3 + 1 = 12 of 24: twice the demand, or four more for each.
+fn hand_a_surplus_goes_in_proportion_or_in_equal_parts_or_is_left() {
+    // 8 + 3 + 1 = 12 of 24: twice the demand, or four more for each, or as much as asked for.
     let scene = Scene::asking(&[8.0, 3.0, 1.0], 24.0);
     assert_eq!(rates("proportional", &scene), [16.0, 6.0, 2.0]);
     assert_eq!(rates("demand-first", &scene), [12.0, 7.0, 5.0]);
+    for name in ["demand-only", "phantom-only"] {
+        assert_eq!(rates(name, &scene), [8.0, 3.0, 1.0], "{name}");
+    }
 }
 
 #[test]
 fn hand_a_shortage_stops_at_the_floor() {
     // 20 + 10 + 1 + 1 = 32 of 17: 15 are left above the two floors, half the demand of the others.
     let scene = Scene::asking(&[20.0, 10.0, 1.0, 1.0], 17.0);
-    for name in ["proportional", "demand-first", "edf", "rss"] {
+    for name in ["proportional", "demand-first", "demand-only", "edf", "rss"] {
         assert_eq!(rates(name, &scene), [10.0, 5.0, 1.0, 1.0], "{name}");
     }
     // With fewer frames than cameras all get the same.
@@ -238,10 +242,14 @@ fn law_the_search_finds_each_allocation_that_nothing_can_be_added_to() {
 fn hand_demands_of_one_number_are_the_same_for_all_models() {
     let Demands {
         zhuyi,
+        phantom,
         rss,
         ttc,
         pylot,
         offline,
     } = Demands::all(3.0);
-    assert_eq!([zhuyi, rss, ttc, pylot, offline.unwrap()], [3.0; 5]);
+    assert_eq!(
+        [zhuyi, phantom, rss, ttc, pylot, offline.unwrap()],
+        [3.0; 6]
+    );
 }

@@ -72,6 +72,7 @@ prop_compose! {
     fn any_camera()(
         rate in 0.0..30.0_f64,
         zhuyi in any_demand(),
+        phantom in any_demand(),
         rss in any_demand(),
         ttc in any_demand(),
         pylot in any_demand(),
@@ -81,7 +82,7 @@ prop_compose! {
         CameraState {
             name: "",
             rate,
-            demands: Demands { zhuyi, rss, ttc, pylot, offline: Some(offline) },
+            demands: Demands { zhuyi, phantom, rss, ttc, pylot, offline: Some(offline) },
             importance,
         }
     }

@@ -8,6 +8,7 @@ use serde::Serialize;
 use zhuyi_core::FrameRates;
 use zhuyi_lab::rates::spelt;
 use zhuyi_scenario::System;
+use zhuyi_scheduler::Compute;
 
 use crate::commands::run::{Arguments, Run};
 use crate::shell;
@@ -131,7 +132,8 @@ fn levers(base: Base<'_>) -> Vec<Lever<'_>> {
         }
     }
     levers.extend(confirm_frames(base));
-    if typed.policy.is_none() {
+    // Where frames queue for an accelerator, their latency is not for cameras to have.
+    if typed.policy.is_none() && base.system.compute == Compute::Ideal {
         levers.push(latency(base));
     }
     let headway = base.system.planner.time_headway;
@@ -224,17 +226,29 @@ fn latency(base: Base<'_>) -> Lever<'_> {
 
 /// What a policy may spend.
 fn budget(base: Base<'_>) -> Option<Lever<'_>> {
-    let from: f64 = base.typed.budget_fps.as_ref()?.parse().ok()?;
-    let most = HIGHEST_RATE * base.rates.all().len() as f64;
-    let values = upwards(from, most.min(MOST * from));
+    let in_tops = base.typed.budget_tops.is_some();
+    let typed = base.typed.budget_fps.as_ref();
+    let from: f64 = typed.or(base.typed.budget_tops.as_ref())?.parse().ok()?;
+    let most = if in_tops {
+        MOST * from
+    } else {
+        (MOST * from).min(HIGHEST_RATE * base.rates.all().len() as f64)
+    };
+    let values = upwards(from, most);
     (!values.is_empty()).then(|| Lever {
         what: "the budget".to_string(),
-        unit: "frames/s",
+        unit: if in_tops { "TOPS" } else { "frames/s" },
         from,
         values,
-        typed: Box::new(move |fps| Arguments {
-            budget_fps: Some(fps.to_string()),
-            ..base.typed.clone()
+        typed: Box::new(move |budget| {
+            let budget = Some(budget.to_string());
+            let mut changed = base.typed.clone();
+            if in_tops {
+                changed.budget_tops = budget;
+            } else {
+                changed.budget_fps = budget;
+            }
+            changed
         }),
     })
 }

@@ -16,8 +16,9 @@ pub fn csv(scenario: &Scenario, system: &System, run: &zhuyi_sim::Run, asked: &[
     let name = |actor: Option<ActorId>| {
         actor.map_or("", |actor| scenario.actors[actor.index()].name.as_str())
     };
-    let mut text =
-        "time_s,camera,rate_fps,online_fps,online_actor,offline_fps,offline_actor\n".to_string();
+    let mut text = "time_s,camera,rate_fps,online_fps,online_actor,offline_fps,offline_actor,\
+         granted_fps,alarm\n"
+        .to_string();
     let mut rows = run.trace.rows();
     let mut hindsight: Option<(&[f64], Hindsight<'_>)> = None;
     for asked in asked {
@@ -36,19 +37,20 @@ pub fn csv(scenario: &Scenario, system: &System, run: &zhuyi_sim::Run, asked: &[
         };
         let offline = with_hindsight.demands(&estimator, &row);
         let eyes = system.perception.eyes.iter();
-        for (((eye, rate), online), offline) in
-            eyes.zip(&asked.rates).zip(&asked.demands).zip(&offline)
-        {
+        for (place, (eye, offline)) in eyes.zip(&offline).enumerate() {
+            let (rate, online) = (asked.rates[place], asked.demands[place]);
             // Writing to a string cannot fail.
             let _ = writeln!(
                 text,
-                "{:.6},{},{rate:.6},{:.6},{},{:.6},{}",
+                "{:.6},{},{rate:.6},{:.6},{},{:.6},{},{:.6},{}",
                 asked.time.seconds(),
                 eye.camera.name,
                 online.fpr,
                 name(online.actor),
                 offline.fpr,
                 name(offline.actor),
+                asked.granted[place],
+                asked.alarms[place],
             );
         }
     }

@@ -7,8 +7,9 @@ use serde::Serialize;
 use zhuyi_core::{ActorId, Manoeuvre, Pose, SimTime};
 use zhuyi_estimator::Estimator;
 use zhuyi_perception::Eye;
-use zhuyi_scenario::Scenario;
-use zhuyi_sim::{Hindsight, Outcome, Peaks};
+use zhuyi_scenario::{Scenario, System};
+use zhuyi_scheduler::{Chip, Compute};
+use zhuyi_sim::{Asked, Hindsight, Outcome, Peaks};
 use zhuyi_world::Side;
 use zhuyi_world::crash::Rest;
 
@@ -55,6 +56,10 @@ pub struct Summary {
     pub frames_processed: u64,
     /// [-] their share of what all cameras would process at 30 frames per second.
     pub share_of_30_fpr: f64,
+    /// Bytes of the frames that were not sent to the accelerator, beside all cameras at 30 frames per second.
+    pub bytes_avoided: u64,
+    /// The safety check; `null` without the estimate in the loop.
+    pub alarms: Option<Alarms>,
 }
 
 /// The first contact of the ego.
@@ -127,6 +132,17 @@ pub struct Estimate {
     pub alongside: bool,
 }
 
+/// The safety check over a drive with the estimate in the loop.
+#[derive(Debug, Serialize)]
+pub struct Alarms {
+    /// Decisions at which some camera's rate was below its demand.
+    pub checks_with_alarm: usize,
+    /// Decisions.
+    pub checks: usize,
+    /// [s] the first of them; `null` when there was none.
+    pub first_s: Option<f64>,
+}
+
 /// A camera over a drive.
 #[derive(Debug, Serialize)]
 pub struct Camera {
@@ -146,19 +162,23 @@ pub struct Camera {
     pub frames_exposed: u64,
     /// Frames processed.
     pub frames_processed: u64,
+    /// Frames dropped while they waited for the accelerator.
+    pub frames_dropped: u64,
+    /// Frames of a camera at 30 frames per second that were not sent to the accelerator.
+    pub transfers_avoided: u64,
     /// [-] share of what it would process at 30 frames per second.
     pub share_of_30_fpr: f64,
 }
 
 impl Summary {
     /// The summary of a drive.
-    pub fn new(asked: &Run, run: &zhuyi_sim::Run) -> Self {
+    pub fn new(meant: &Run, run: &zhuyi_sim::Run, asked: &[Asked]) -> Self {
         let Run {
             scenario,
             system,
             rates,
             ..
-        } = asked;
+        } = meant;
         let end = match &run.outcome {
             Outcome::Completed => scenario.duration,
             Outcome::Collision(collision) => collision.time,
@@ -171,15 +191,15 @@ impl Summary {
             let row = rows.find(|row| row.command.manoeuvre == manoeuvre);
             row.map(|row| seconds(row.time))
         };
-        let cameras = cameras(asked, run, &peaks, seconds(end));
+        let cameras = cameras(meant, run, &peaks, seconds(end));
         let frames_processed = cameras.iter().map(|camera| camera.frames_processed).sum();
         Self {
             version: env!("CARGO_PKG_VERSION"),
-            command: shell::line(asked.typed.words(None)),
+            command: shell::line(meant.typed.words(None)),
             scenario: scenario.name.clone(),
             title: scenario.title.clone(),
-            seed: asked.seed,
-            root_seed: asked.root_seed,
+            seed: meant.seed,
+            root_seed: meant.root_seed,
             end_s: seconds(end),
             collision: collision(scenario, run),
             smallest_gap_m: extremes.gap,
@@ -195,6 +215,12 @@ impl Summary {
                 unavoidable: peaks.unavoidable,
                 alongside: peaks.alongside,
             },
+            alarms: alarms(asked),
+            bytes_avoided: cameras
+                .iter()
+                .map(|camera| camera.transfers_avoided)
+                .sum::<u64>()
+                * frame_bytes(system),
             share_of_30_fpr: share(frames_processed, seconds(end) * cameras.len() as f64),
             frames_processed,
             cameras,
@@ -234,10 +260,29 @@ fn cameras(asked: &Run, run: &zhuyi_sim::Run, peaks: &Peaks, end: f64) -> Vec<Ca
             demand_actor: peak.actor.map(|actor| name(&asked.scenario, actor)),
             frames_exposed: frames.exposed,
             frames_processed: frames.processed,
+            frames_dropped: frames.dropped,
+            transfers_avoided: frames.avoided(end),
             share_of_30_fpr: share(frames.processed, end),
         }
     };
     eyes.map(camera).collect()
+}
+
+/// None where nothing was checked.
+fn alarms(asked: &[Asked]) -> Option<Alarms> {
+    let alarm = |asked: &&Asked| asked.alarms.contains(&true);
+    (!asked.is_empty()).then(|| Alarms {
+        checks_with_alarm: asked.iter().filter(alarm).count(),
+        checks: asked.len(),
+        first_s: asked.iter().find(alarm).map(|asked| seconds(asked.time)),
+    })
+}
+
+fn frame_bytes(system: &System) -> u64 {
+    match system.compute {
+        Compute::Accelerator(chip) => chip.frame_bytes,
+        Compute::Ideal => Chip::default().frame_bytes,
+    }
 }
 
 /// [s] a time as the nearest number, 8.4 and not 8.400000000000001.

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use super::summary::{AtRest, Collision, Summary};
+use super::summary::{Alarms, AtRest, Collision, Summary};
 use crate::tables::table;
 
 /// The text, with drawings, the files that were written, commands to go on with and what they are for.
@@ -169,6 +169,22 @@ fn cameras(summary: &Summary) -> String {
     cameras.trim_fmt() + "\n"
 }
 
+/// What the safety check found.
+fn alarm(alarms: &Alarms) -> String {
+    let Alarms {
+        checks_with_alarm,
+        checks,
+        first_s,
+    } = alarms;
+    match first_s {
+        None => format!("Safety check: no camera below its demand at any of {checks} decisions."),
+        Some(first) => format!(
+            "Safety check: a camera below its demand at {checks_with_alarm} of {checks} decisions, \
+             first at {first:.2} s."
+        ),
+    }
+}
+
 fn percent(share: f64) -> String {
     format!("{:.0} %", 100.0 * share)
 }
@@ -184,6 +200,9 @@ fn remarks(summary: &Summary) -> String {
     } else {
         ".\n"
     };
+    if let Some(alarms) = &summary.alarms {
+        let _infallible = writeln!(text, "{}", alarm(alarms));
+    }
     let remarks = [
         (
             estimate.unavoidable,

@@ -3,8 +3,8 @@
 //! Asked, one line of JSON per decision (broken here to be read):
 //! ```text
 //! {"time_s":1.2,"budget_fps":60.0,"floor_fps":1.0,"cap_fps":30.0,"ego_speed_mps":17.9,"cameras":[
-//!  {"name":"front_120","rate_fps":20.0,"demand_fps":9.2,"rss_fps":30.0,"ttc_fps":1.0,"pylot_fps":3.1,"importance_hz":10.2},
-//!  {"name":"left","rate_fps":20.0,"demand_fps":1.0,"rss_fps":1.0,"ttc_fps":1.0,"pylot_fps":3.1,"importance_hz":1.0}]}
+//!  {"name":"front_120","rate_fps":20.0,"demand_fps":9.2,"phantom_fps":12.1,"rss_fps":30.0,"ttc_fps":1.0,"pylot_fps":3.1,"importance_hz":10.2},
+//!  {"name":"left","rate_fps":20.0,"demand_fps":1.0,"phantom_fps":1.0,"rss_fps":1.0,"ttc_fps":1.0,"pylot_fps":3.1,"importance_hz":1.0}]}
 //! ```
 //! Answered, one number per camera in the same order: `{"rates_fps":[29.5,10.5]}`.
 //!
@@ -16,6 +16,7 @@
 //! | `ego_speed_mps` | [m/s] speed of the ego |
 //! | `rate_fps` | [Hz] the rate that the camera has now |
 //! | `demand_fps`, `rss_fps`, `ttc_fps`, `pylot_fps` | [Hz] what the paper's model, RSS, TTC and Pylot ask of it |
+//! | `phantom_fps` | [Hz] what the paper's model asks of it where cars are assumed at the edges of what is seen |
 //! | `importance_hz` | [Hz] sum of 1/latency over the actors that it covers |
 //!
 //! Numbers are written so that they read back exactly. Left out: the offline demand, which knows the true future.
@@ -38,6 +39,7 @@ struct Camera<'a> {
     name: &'a str,
     rate_fps: f64,
     demand_fps: f64,
+    phantom_fps: f64,
     rss_fps: f64,
     ttc_fps: f64,
     pylot_fps: f64,
@@ -56,6 +58,7 @@ pub(super) fn question(situation: &Situation<'_>) -> Result<Vec<u8>, serde_json:
         name: camera.name,
         rate_fps: camera.rate,
         demand_fps: camera.demands.zhuyi,
+        phantom_fps: camera.demands.phantom,
         rss_fps: camera.demands.rss,
         ttc_fps: camera.demands.ttc,
         pylot_fps: camera.demands.pylot,
@@ -90,6 +93,7 @@ mod tests {
             rate: 20.0,
             demands: Demands {
                 zhuyi: 9.2,
+                phantom: 12.1,
                 rss: 30.0,
                 ttc: 1.0,
                 pylot: 3.1,
@@ -105,7 +109,7 @@ mod tests {
         });
         let expected = concat!(
             r#"{"time_s":1.2,"budget_fps":60.0,"floor_fps":1.0,"cap_fps":30.0,"ego_speed_mps":17.9,"cameras":["#,
-            r#"{"name":"front \"120\"","rate_fps":20.0,"demand_fps":9.2,"rss_fps":30.0,"ttc_fps":1.0,"#,
+            r#"{"name":"front \"120\"","rate_fps":20.0,"demand_fps":9.2,"phantom_fps":12.1,"rss_fps":30.0,"ttc_fps":1.0,"#,
             r#""pylot_fps":3.1,"importance_hz":10.2}]}"#,
             "\n"
         );

@@ -1,0 +1,29 @@
+//! The demands and no more: what nobody asks for is not processed.
+//!
+//! ```text
+//! f_i = cut(d, B)_i
+//! ```
+//!
+//! d_i is the demand of the paper's model [Hz], B the budget; [`cut`](crate::sharing::cut) has the equations. It is what
+//! the paper's figure of 36 % supposes: each camera runs at its estimate. It spends the least and has nothing in reserve
+//! for whom nobody has confirmed yet. Left out: what was before.
+
+use crate::sharing;
+use crate::{Policy, PolicyError, Situation};
+
+/// The demand and no more.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct DemandOnly;
+
+impl Policy for DemandOnly {
+    fn name(&self) -> &'static str {
+        "demand-only"
+    }
+
+    fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
+        situation.check(rates)?;
+        let demands = situation.demands(|d| d.zhuyi);
+        rates.copy_from_slice(&sharing::cut(&demands, situation.budget));
+        Ok(())
+    }
+}

@@ -1,0 +1,24 @@
+//! The demand with phantoms and no more: what neither a confirmed actor nor an assumed one asks for is not processed.
+//!
+//! d_i is that of [`phantom`](crate::policies::phantom) [Hz]; [`cut`](crate::sharing::cut) shares. It is to `phantom`
+//! what `demand-only` is to `demand-first`. Source: our own. Left out: what was before.
+
+use crate::sharing;
+use crate::{Policy, PolicyError, Situation};
+
+/// The demand with phantoms and no more.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PhantomOnly;
+
+impl Policy for PhantomOnly {
+    fn name(&self) -> &'static str {
+        "phantom-only"
+    }
+
+    fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
+        situation.check(rates)?;
+        let demands = situation.demands(|d| d.phantom);
+        rates.copy_from_slice(&sharing::cut(&demands, situation.budget));
+        Ok(())
+    }
+}
