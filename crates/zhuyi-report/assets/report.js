@@ -21,9 +21,10 @@ function fillMarks() {
 }
 
 class Replay {
-  constructor(drive) {
+  constructor(drive, toggleTheme) {
     const byId = (id) => document.getElementById(id);
     this.drive = drive;
+    this.toggleTheme = toggleTheme;
     this.row = 0;
     this.playing = false;
     this.slider = byId("slider");
@@ -53,14 +54,13 @@ class Replay {
     byId("nearer").addEventListener("click", () => this.zoom(1.25));
     byId("cones").addEventListener("change", (event) => this.setCones(event.target.value));
     byId("window").addEventListener("change", (event) => this.charts.setSpan(Number(event.target.value)));
-    byId("theme").addEventListener("click", () => this.toggleTheme());
     document.addEventListener("keydown", (event) => this.key(event));
     window.addEventListener("hashchange", () => this.seekHash());
   }
 
   /** `#t=3.2` shows that time. */
   seekHash() {
-    const match = /^#t=([0-9.]+)$/.exec(window.location.hash);
+    const match = /[#&]t=([0-9.]+)/.exec(window.location.hash);
     if (match) this.seek(Math.round(Number(match[1]) / this.drive.step_s));
   }
 
@@ -131,9 +131,7 @@ class Replay {
     this.speed.selectedIndex = Math.min(options.length - 1, Math.max(0, selectedIndex + direction));
   }
 
-  toggleTheme() {
-    const root = document.documentElement;
-    root.dataset.theme = root.dataset.theme === "dark" ? "light" : "dark";
+  redraw() {
     this.scene.draw(this.row);
     this.charts.redraw();
   }
@@ -165,17 +163,41 @@ class Replay {
   }
 }
 
+/** The drive to show: the only one, or the one of a sweep that the address asks for; none where there is no replay. */
+function chosen(data) {
+  if (data.kind !== "sweep") return data;
+  const replays = data.drives.map((drive, place) => (drive.document ? place : null)).filter((place) => place !== null);
+  const shown = replays.includes(askedRun()) ? askedRun() : replays[0];
+  fillSweep(data, shown);
+  window.addEventListener("hashchange", () => {
+    if (askedRun() !== shown) window.location.reload();
+  });
+  return shown === undefined ? null : data.drives[shown].document;
+}
+
 function start() {
   const dark = window.matchMedia("(prefers-color-scheme: dark)");
-  document.documentElement.dataset.theme = dark.matches ? "dark" : "light";
-  const drive = unpacked(JSON.parse(document.getElementById("data").textContent));
-  fillHeader(drive);
-  fillMarks();
-  fillProvenance(drive);
-  const replay = new Replay(drive);
+  const root = document.documentElement;
+  root.dataset.theme = dark.matches ? "dark" : "light";
+  const drive = chosen(JSON.parse(document.getElementById("data").textContent));
+  let replay = null;
+  const toggle = () => {
+    root.dataset.theme = root.dataset.theme === "dark" ? "light" : "dark";
+    if (replay) replay.redraw();
+  };
+  document.getElementById("theme").addEventListener("click", toggle);
   dark.addEventListener("change", (event) => {
-    if ((document.documentElement.dataset.theme === "dark") !== event.matches) replay.toggleTheme();
+    if ((root.dataset.theme === "dark") !== event.matches) toggle();
   });
+  if (drive === null) {
+    document.getElementById("drive").hidden = true;
+    return;
+  }
+  const columns = unpacked(drive);
+  fillHeader(columns);
+  fillMarks();
+  fillProvenance(columns);
+  replay = new Replay(columns, toggle);
   replay.seek(0);
   replay.seekHash();
 }

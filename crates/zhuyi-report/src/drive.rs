@@ -14,7 +14,7 @@ pub mod document;
 pub mod moments;
 
 use serde_json::Value;
-use zhuyi_core::{FrameRates, Frenet};
+use zhuyi_core::Frenet;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_sim::{Asked, Outcome, Run, STEP, Witness};
 
@@ -46,8 +46,6 @@ pub struct Drive<'a> {
     pub run: &'a Run,
     /// What it knew.
     pub witness: &'a Witness,
-    /// [Hz] the rates that it began with.
-    pub rates: &'a FrameRates,
     /// What the ego itself asked for, where the estimate was in the loop.
     pub asked: &'a [Asked],
     /// Whether a policy changed the rates.

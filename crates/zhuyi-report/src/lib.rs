@@ -3,6 +3,7 @@
 //! ```text
 //!  zhuyi-lab ── Comparison ──▶ [demand] ──▶ figures/beyond-phantom.svg ..
 //!  zhuyi-sim ── Run, Witness ──▶ [drive] ── Document ──▶ [page] ──▶ report.html
+//!  runs.csv ──▶ [sweep] ── Document, with the Documents of the worst runs ──▶ [page]
 //! ```
 //!
 //! Both are pure: the same numbers make the same bytes. Colours are those of Okabe and Ito, which people with any
@@ -12,6 +13,7 @@ pub mod demand;
 pub mod drive;
 pub mod page;
 pub mod palette;
+pub mod sweep;
 
 pub use demand::figures;
 pub use drive::Drive;

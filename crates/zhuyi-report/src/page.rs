@@ -20,12 +20,13 @@ const STYLES: [&str; 2] = [
 ];
 
 /// Its code, in order.
-const SCRIPTS: [&str; 6] = [
+const SCRIPTS: [&str; 7] = [
     include_str!("../assets/uplot/uPlot.iife.min.js"),
     include_str!("../assets/columns.js"),
     include_str!("../assets/scene.js"),
     include_str!("../assets/charts.js"),
     include_str!("../assets/tables.js"),
+    include_str!("../assets/sweep.js"),
     include_str!("../assets/report.js"),
 ];
 

@@ -11,6 +11,7 @@ mod grid;
 mod list;
 mod mrf;
 mod new;
+mod report;
 mod reproduce;
 mod robustness;
 mod run;
@@ -69,6 +70,8 @@ pub enum Command {
     Explain(explain::Arguments),
     /// Estimate what a recorded trace, of a run or of real traffic, asks of every camera at every step
     Estimate(estimate::Arguments),
+    /// Write one HTML file to open in a browser: of a sweep's folder
+    Report(report::Arguments),
     /// Drive through scenarios at many frame rates and write one row per run
     Sweep(sweep::Arguments),
     /// Find the minimum required frame rate: from it on no seed collides
@@ -94,6 +97,7 @@ impl Command {
             Self::Run(typed) => Box::new(typed.meant()?),
             Self::Explain(typed) => Box::new(typed.meant()?),
             Self::Estimate(typed) => Box::new(typed.meant()?),
+            Self::Report(typed) => Box::new(typed.meant()?),
             Self::Sweep(typed) => Box::new(typed.meant()?),
             Self::Mrf(typed) => Box::new(typed.meant()?),
             Self::Reproduce(typed) => Box::new(typed.meant()?),

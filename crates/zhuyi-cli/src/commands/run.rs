@@ -9,6 +9,7 @@ use std::path::PathBuf;
 use clap::Args;
 use zhuyi_core::FrameRates;
 use zhuyi_estimator::grid::MAX_FPR;
+use zhuyi_report::drive::document::Document;
 use zhuyi_report::{Drive, page};
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::safety::Response;
@@ -379,23 +380,35 @@ impl Run {
     /// The report of the drive; none where it kept no record of what it knew.
     fn page(&self, summary: &Summary, run: &zhuyi_sim::Run, asked: &[Asked]) -> Option<String> {
         let file = self.typed.report.as_ref()?.display().to_string();
-        let words = self.typed.words(None);
+        let words = self.typed.words(None).into_iter();
+        let command = shell::line(words.chain(["--report", &file]));
+        let title = format!("{}, seed {}: zhuyi", summary.scenario, summary.seed);
+        Some(page(&title, &self.document(summary, run, asked, command)?))
+    }
+
+    /// The data of a report that `command` makes; none where the drive kept no record of what it knew.
+    pub fn document(
+        &self,
+        summary: &Summary,
+        run: &zhuyi_sim::Run,
+        asked: &[Asked],
+        command: String,
+    ) -> Option<Document> {
+        let witness = run.witness.as_ref()?;
         let explanation = run.collided().then(|| Explanation::of(self, run));
         let drive = Drive {
             scenario: &self.scenario,
             system: &self.system,
             run,
-            witness: run.witness.as_ref()?,
-            rates: &self.rates,
+            witness,
             asked,
             by_policy: self.typed.policy.is_some(),
             version: summary.version,
-            command: shell::line(words.into_iter().chain(["--report", &file])),
+            command,
             summary: summary.value(),
             explanation: explanation.as_ref().map(Explanation::value),
         };
-        let title = format!("{}, seed {}: zhuyi", summary.scenario, summary.seed);
-        Some(page(&title, &drive.document()))
+        Some(drive.document())
     }
 
     /// What to type next, and what for.

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `browser` | a headless browser driven by the DevTools protocol over two pipes |
 //! | `drive` | the report of one drive beside its trace |
+//! | `sweep` | the report of many beside their table |
 //!
 //! The browser is `$ZHUYI_BROWSER`, or the first of chromium, chromium-browser, google-chrome and chrome on the path. Where there
 //! is none the tests say so and are skipped; with `ZHUYI_BROWSER` set and not usable they fail.
@@ -12,6 +13,7 @@
 
 mod browser;
 mod drive;
+mod sweep;
 
 use std::path::Path;
 use std::process::Command;

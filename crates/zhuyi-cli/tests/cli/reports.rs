@@ -1,4 +1,5 @@
-//! `run --report`: the data in the page beside the trace, its size, its bytes. The page at work is tested in tests/browser.
+//! `run --report` and `report`: the data in the page beside trace and table, its size, its bytes. The page at work is tested
+//! in tests/browser.
 
 use crate::Bench;
 use serde_json::Value;
@@ -172,4 +173,119 @@ fn hand_a_report_that_cannot_be_written_is_refused_before_the_drive() {
         "{}",
         ran.err
     );
+}
+
+#[test]
+fn law_a_report_of_a_sweep_has_all_its_runs_and_replays_that_end_as_they_did() {
+    let bench = Bench::new();
+    bench.zhuyi("sweep cut-out-fast cut-in --fpr 4:6 --seeds 3 --out out");
+    let told = bench.out("report out -o sweep.html");
+    assert!(
+        told.starts_with("18 runs of 2 scenarios, 3 replays\n"),
+        "{told}"
+    );
+    let document = data(&bench.read("sweep.html"));
+    let rows = bench.read("out/runs.csv");
+    let collided = |scenario: &str, fpr: u64| {
+        let start = format!("{scenario},sweep,{fpr},");
+        let rows = rows.lines().filter(|line| line.starts_with(&start));
+        rows.filter(|line| line.contains(",collision,")).count() as u64
+    };
+    let mrf: Value = serde_json::from_str("[\"6\", \"<=4\"]").unwrap();
+    for (place, scenario) in document["scenarios"].as_array().unwrap().iter().enumerate() {
+        assert_eq!(scenario["mrf"], mrf[place]);
+        for rate in scenario["rates"].as_array().unwrap() {
+            let (name, fpr) = (
+                scenario["name"].as_str().unwrap(),
+                rate["fpr"].as_u64().unwrap(),
+            );
+            assert_eq!(
+                rate["collided"].as_u64().unwrap(),
+                collided(name, fpr),
+                "{name} {fpr}"
+            );
+            assert_eq!(rate["cells"].as_array().unwrap().len(), 3);
+        }
+    }
+    for drive in document["drives"].as_array().unwrap() {
+        assert!(drive["note"].is_null(), "{}", drive["note"]);
+        let summary = &drive["document"]["summary"];
+        let hit = drive["told"].as_str().unwrap().starts_with("touched");
+        assert_eq!(summary["collision"].is_null(), !hit);
+        assert_eq!(summary["seed"], drive["seed"]);
+        // Why it crashed is told where it did.
+        assert_eq!(drive["document"]["explanation"].is_null(), !hit);
+    }
+}
+
+/// A table of one run with a command.
+fn table(outcome: &str, command: &str) -> String {
+    format!(
+        "scenario,part,fpr_hz,seed,outcome,collision_time_s,collision_actor,impact_speed_mps,smallest_gap_m,smallest_ttc_s,\
+         largest_estimate_fpr,replay\ncut-in,sweep,30,0,{outcome},2.5,,,\"{command}\"\n"
+    )
+}
+
+#[test]
+fn hand_a_table_starts_no_program_and_nothing_but_drives() {
+    let bench = Bench::new();
+    for (command, note) in [
+        (
+            "zhuyi run cut-in --policy 'exec:touch here' --budget-fps 30",
+            "no replay: its command would start a program",
+        ),
+        (
+            "zhuyi sweep cut-in --out here",
+            "no replay: its command is no zhuyi run",
+        ),
+        ("rm -r here", "no replay: its command is none of zhuyi"),
+        (
+            "zhuyi run 'cut-in",
+            "no replay: a quote in its command is open",
+        ),
+    ] {
+        bench.write("runs.csv", &table("completed,,,", command));
+        let told = bench.out("report . -o report.html");
+        assert!(
+            told.contains("1 runs of 1 scenarios, 0 replays\n") && told.contains(note),
+            "{told}"
+        );
+        assert!(!bench.path("here").exists(), "{command}");
+        let document = data(&bench.read("report.html"));
+        assert!(document["drives"][0]["document"].is_null());
+    }
+    // A trace that a command would write is not written.
+    bench.write(
+        "runs.csv",
+        &table("completed,,,", "zhuyi run cut-in --trace here"),
+    );
+    assert!(bench.out("report . -o report.html").contains("1 replays"));
+    assert!(!bench.path("here").exists());
+}
+
+#[test]
+fn hand_a_run_that_ends_otherwise_than_its_table_says_so() {
+    let bench = Bench::new();
+    bench.write(
+        "runs.csv",
+        &table("collision,5.0,cutter,2.0", "zhuyi run cut-in"),
+    );
+    let told = bench.out("report . -o report.html");
+    assert!(
+        told.contains("driven again it ends otherwise than the table tells"),
+        "{told}"
+    );
+}
+
+#[test]
+fn hand_what_is_no_table_of_runs_is_refused() {
+    let bench = Bench::new();
+    let ran = bench.zhuyi("report nowhere -o report.html");
+    assert_eq!(ran.code, Some(4));
+    assert!(ran.err.contains("cannot read `nowhere`"), "{}", ran.err);
+    bench.write("runs.csv", "scenario,part\ncut-in,sweep\n");
+    let ran = bench.zhuyi("report . -o report.html");
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.err.contains("it has no column `fpr_hz`"), "{}", ran.err);
+    assert!(!bench.path("report.html").exists());
 }
