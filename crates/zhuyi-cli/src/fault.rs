@@ -80,6 +80,9 @@ pub enum Fault {
     /// A value of a scenario where no scenario is read.
     #[error("a value of a scenario can be set only where --road names one")]
     NoRoad,
+    /// A flag that means nothing for a table of runs.
+    #[error("{0} is for traces, and this is a table of runs")]
+    OfTraces(&'static str),
     /// A file that is no table of runs.
     #[error("`{path}` is no table of runs: {why}")]
     NoTable {

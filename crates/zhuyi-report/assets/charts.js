@@ -76,7 +76,7 @@ class Charts {
     const seek = (event) => {
       const box = plot.over.getBoundingClientRect();
       const time = plot.posToVal(event.clientX - box.left, "x");
-      this.jump(Math.round(time / this.drive.step_s));
+      this.jump(rowAt(this.drive.times, time));
     };
     plot.over.addEventListener("pointerdown", (event) => {
       plot.over.setPointerCapture(event.pointerId);
@@ -122,7 +122,8 @@ class Charts {
         const margin = this.span / 6;
         const off = max - min > this.span + 1e-6 || time < min + margin || time > max - margin;
         if (off) {
-          const from = Math.min(Math.max(0, time - this.span / 2), Math.max(0, last - this.span));
+          const first = this.drive.times[0];
+          const from = Math.min(Math.max(first, time - this.span / 2), Math.max(first, last - this.span));
           plot.setScale("x", { min: from, max: from + this.span });
         }
       }
@@ -135,7 +136,7 @@ class Charts {
     this.span = span;
     if (span === 0) {
       const last = this.drive.times[this.drive.rows - 1];
-      this.plots.forEach((plot) => plot.setScale("x", { min: 0, max: last }));
+      this.plots.forEach((plot) => plot.setScale("x", { min: this.drive.times[0], max: last }));
     }
     this.show(this.row);
   }
@@ -164,10 +165,14 @@ function fillCharts(charts, drive) {
     charts.add(byId("camera-charts"), title, "frames per second", 1, series, (_, low, high) => [0, Math.max(4, 1.08 * (high || 0))]);
   });
   const shown = ["zhuyi", "zhuyi-standstill", "rss", "ttc"];
-  drive.actors.forEach((actor, place) => {
+  const charted = mostCharted(drive);
+  if (charted.length < drive.actors.length) {
+    byId("latency-note").textContent = `Shown are the ${charted.length} of ${drive.actors.length} vehicles that ask for most.`;
+  }
+  charted.forEach((place) => {
     const series = drive.models.map((model, index) => ({
       label: model,
-      data: actor.latency[index],
+      data: drive.actors[place].latency[index],
       colour: LINES[index % LINES.length],
       dash: index >= LINES.length ? [6, 3] : undefined,
       show: shown.includes(model),
@@ -176,30 +181,35 @@ function fillCharts(charts, drive) {
     charts.add(byId("latency-charts"), drive.bodies[place + 1].name, "latency [s]", 3, series, () => [0, 1.05]);
   });
   const motion = byId("motion-charts");
-  const perActor = (field) => drive.actors.map((actor, place) => ({
-    label: drive.bodies[place + 1].name,
-    data: actor[field],
-    colour: LINES[(place + 1) % LINES.length],
-    dash: place + 1 >= LINES.length ? [6, 3] : undefined,
-  }));
-  const somewhere = (series) => series.filter((line) => line.data.some((number) => number !== null));
-  const vehicles = (field) => drive.bodies.map((body, place) => ({
-    label: body.name,
-    data: body[field],
+  const line = (place, data) => ({
+    label: drive.bodies[place].name,
+    data,
     colour: LINES[place % LINES.length],
     dash: place >= LINES.length ? [6, 3] : undefined,
-  }));
-  charts.add(motion, "Gap to actors ahead in the ego's way, bumper to bumper", "gap [m]", 2, somewhere(perActor("gap")));
-  charts.add(motion, "Time to collision with them", "TTC [s]", 2, somewhere(perActor("ttc")), (_, low, high) => [0, Math.min(30, 1.05 * (high || 1))]);
-  charts.add(motion, "Speed", "speed [m/s]", 2, vehicles("speed"));
-  charts.add(motion, "Acceleration of the ego, and what its planner asks for", "acceleration [m/s²]", 2, [
-    { label: "ego", data: drive.bodies[0].accel, colour: "s0" },
-    { label: "asked for", data: drive.asked, colour: "s1", dash: [5, 3] },
-  ]);
-  const ages = drive.actors.map((actor, place) => ({
-    label: drive.bodies[place + 1].name,
-    data: actor.age.map((age, row) => (actor.confirmed[row] === 1 ? age : null)),
-    colour: LINES[(place + 1) % LINES.length],
-  }));
+  });
+  const somewhere = (series) => series.filter((one) => one.data.some((number) => number !== null));
+  const perActor = (field) => somewhere(drive.actors.map((actor, place) => line(place + 1, actor[field])));
+  charts.add(motion, "Gap to actors ahead in the ego's way, bumper to bumper", "gap [m]", 2, perActor("gap"));
+  charts.add(motion, "Time to collision with them", "TTC [s]", 2, perActor("ttc"), (_, low, high) => [0, Math.min(30, 1.05 * (high || 1))]);
+  const vehicles = [0, ...charted.map((place) => place + 1)].sort((one, other) => one - other);
+  charts.add(motion, "Speed", "speed [m/s]", 2, vehicles.map((place) => line(place, drive.bodies[place].speed)));
+  const accelerations = [{ label: drive.bodies[0].name, data: drive.bodies[0].accel, colour: "s0" }];
+  if (drive.asked) accelerations.push({ label: "asked for", data: drive.asked, colour: "s1", dash: [5, 3] });
+  const title = `Acceleration of the ego${drive.asked ? ", and what its planner asks for" : ""}`;
+  charts.add(motion, title, "acceleration [m/s²]", 2, accelerations);
+  if (!drive.believes) return;
+  const ages = drive.actors.map((actor, place) => (
+    line(place + 1, actor.age.map((age, row) => (actor.confirmed[row] === 1 ? age : null)))
+  ));
   charts.add(motion, "Age of what the ego believes of confirmed actors", "age [s]", 2, somewhere(ages));
+}
+
+/** The actors with a chart of their own: all, or of many those that tolerate least. */
+function mostCharted(drive) {
+  const most = 8;
+  const places = drive.actors.map((_, place) => place);
+  if (places.length <= most) return places;
+  const least = (place) => drive.actors[place].latency[0].reduce((low, number) => (number !== null && number < low ? number : low), 2);
+  const lowest = places.map((place) => [least(place), place]).sort((one, other) => one[0] - other[0] || one[1] - other[1]);
+  return lowest.slice(0, most).map(([, place]) => place);
 }

@@ -35,7 +35,9 @@ function steps(text) {
 /** The document with every column as an array. */
 function unpacked(document) {
   const drive = { ...document };
-  drive.times = Array.from({ length: document.rows }, (_, row) => Math.round(row * document.step_s * 1e6) / 1e6);
+  drive.times = document.times_s === null
+    ? Array.from({ length: document.rows }, (_, row) => Math.round(row * document.step_s * 1e6) / 1e6)
+    : track(document.times_s);
   drive.bodies = document.bodies.map((body) => ({
     name: body.name,
     length: body.length_m,
@@ -66,7 +68,25 @@ function unpacked(document) {
     by: steps(camera.demand_actor),
     online: camera.online_fpr === null ? null : steps(camera.online_fpr),
   }));
-  drive.manoeuvre = steps(document.manoeuvre);
-  drive.asked = track(document.asked_mps2);
+  drive.manoeuvre = document.manoeuvre === null ? null : steps(document.manoeuvre);
+  drive.asked = document.asked_mps2 === null ? null : track(document.asked_mps2);
   return drive;
+}
+
+/** The last row at or before a time, and the first one for times before it. */
+function rowBefore(times, time) {
+  let [low, high] = [0, times.length - 1];
+  while (low < high) {
+    const middle = Math.ceil((low + high) / 2);
+    if (times[middle] <= time + 1e-9) low = middle;
+    else high = middle - 1;
+  }
+  return low;
+}
+
+/** The row nearest to a time. */
+function rowAt(times, time) {
+  const before = rowBefore(times, time);
+  const next = Math.min(before + 1, times.length - 1);
+  return times[next] - time < time - times[before] ? next : before;
 }

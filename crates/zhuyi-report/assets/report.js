@@ -1,7 +1,7 @@
 "use strict";
 // The report at work: one row of the drive is shown, everywhere.
 
-function fillMarks() {
+function fillMarks(believes) {
   const box = (style) => `<svg width="26" height="12" aria-hidden="true"><rect x="2" y="2" width="22" height="8" ${style}/></svg>`;
   const marks = [
     [box('style="fill:var(--ego)"'), "the ego"],
@@ -12,7 +12,8 @@ function fillMarks() {
     [box('style="fill:var(--s1);opacity:.3;stroke:var(--alarm)"'), "cone of a camera, darker for more frames per second; bold edge: demand above its rate"],
   ];
   const list = document.getElementById("marks");
-  marks.forEach(([picture, text]) => {
+  // What is believed is known of drives alone.
+  marks.filter((_, place) => believes || (place !== 3 && place !== 4)).forEach(([picture, text]) => {
     const item = element("li");
     item.innerHTML = picture;
     item.append(text);
@@ -61,12 +62,11 @@ class Replay {
   /** `#t=3.2` shows that time. */
   seekHash() {
     const match = /[#&]t=([0-9.]+)/.exec(window.location.hash);
-    if (match) this.seek(Math.round(Number(match[1]) / this.drive.step_s));
+    if (match) this.seek(rowAt(this.drive.times, Number(match[1])));
   }
 
   seek(row) {
     this.row = Math.min(this.drive.rows - 1, Math.max(0, Math.round(row)));
-    this.exact = this.row;
     this.slider.value = this.row;
     const time = this.drive.times[this.row];
     this.time.textContent = `${time.toFixed(2)} s`;
@@ -84,20 +84,33 @@ class Replay {
     this.seek(this.row + rows);
   }
 
+  /** By a tenth of a second, or a row where rows are further apart. */
+  leap(direction) {
+    const row = rowAt(this.drive.times, this.drive.times[this.row] + 0.1 * direction);
+    this.step(row === this.row ? direction : row - this.row);
+  }
+
   play(on) {
     if (on && this.row >= this.drive.rows - 1) this.seek(0);
     this.playing = on;
     this.button.textContent = on ? "Pause" : "Play";
     if (!on) return;
+    // Of two loops, after a quick pause, the older one ends.
+    const loop = {};
+    this.loop = loop;
     let before = null;
+    let clock = this.drive.times[this.row];
+    let shown = this.row;
     const frame = (now) => {
-      if (!this.playing) return;
+      if (!this.playing || this.loop !== loop) return;
       if (before !== null) {
         // A page that was in the background goes on where it was.
         const seconds = Math.min(0.25, (now - before) / 1000) * Number(this.speed.value);
-        const exact = this.exact + seconds / this.drive.step_s;
-        this.seek(Math.floor(exact));
-        this.exact = exact;
+        // Who moved it elsewhere in between wants it to go on from there.
+        if (this.row !== shown) clock = this.drive.times[this.row];
+        clock += seconds;
+        this.seek(rowBefore(this.drive.times, clock));
+        shown = this.row;
         if (this.row >= this.drive.rows - 1) {
           this.play(false);
           return;
@@ -138,12 +151,12 @@ class Replay {
 
   key(event) {
     if (event.ctrlKey || event.metaKey || event.altKey || event.target.tagName === "SELECT") return;
-    const far = event.shiftKey ? 10 : 1;
+    const go = (direction) => (event.shiftKey ? this.leap(direction) : this.step(direction));
     const cones = ["demand", "rate", "none"];
     const actions = {
       " ": () => this.play(!this.playing),
-      ArrowLeft: () => this.step(-far),
-      ArrowRight: () => this.step(far),
+      ArrowLeft: () => go(-1),
+      ArrowRight: () => go(1),
       Home: () => this.step(-this.row),
       End: () => this.step(this.drive.rows),
       "[": () => this.changeSpeed(-1),
@@ -195,7 +208,7 @@ function start() {
   }
   const columns = unpacked(drive);
   fillHeader(columns);
-  fillMarks();
+  fillMarks(columns.believes);
   fillProvenance(columns);
   replay = new Replay(columns, toggle);
   replay.seek(0);

@@ -57,6 +57,8 @@ class Scene {
 
   /** [rad] of the line of the road nearest to a point. */
   roadDirection([x, y]) {
+    // Without a road the ego's own heading must do.
+    if (this.drive.road.lines.length === 0) return this.drive.bodies[0].heading[this.row];
     const [xs, ys] = this.drive.road.lines[0];
     let [nearest, direction] = [Infinity, 0];
     for (let i = 0; i + 1 < xs.length; i += 1) {
@@ -143,6 +145,10 @@ class Scene {
   }
 
   drawBody(pen, body, place, row) {
+    if (body.x[row] === null) {
+      this.placed.push([-1e6, -1e6, -1e6, -1e6]);
+      return;
+    }
     const corners = this.corners(body.x[row], body.y[row], body.heading[row], body.length, body.width);
     const hidden = place > 0 && this.drive.actors[place - 1].visible[row] === 0;
     const xs = corners.map(([x]) => x);
@@ -237,7 +243,9 @@ class Scene {
     if (place > 0) {
       const actor = this.drive.actors[place - 1];
       if (actor.visible[row] === 0) told.push("hidden");
-      if (actor.confirmed[row] === 1) {
+      if (!this.drive.believes) {
+        tone = "ink";
+      } else if (actor.confirmed[row] === 1) {
         told.push(`${actor.age[row].toFixed(2)} s old`);
       } else if (actor.x[row] !== null) {
         told.push(`${actor.found[row]} of ${actor.needed} frames`);
@@ -251,7 +259,7 @@ class Scene {
     pen.font = "12px system-ui, sans-serif";
     const [wide, high] = [pen.measureText(text).width, 14];
     const [left, top, right, bottom] = this.placed[place];
-    if (right < 0 || left > width) return;
+    if (right < 0 || left > width || bottom < 0 || top > this.canvas.clientHeight) return;
     const middle = (top + bottom) / 2;
     const tries = [
       [right + 7, middle - high / 2],

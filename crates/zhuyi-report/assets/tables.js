@@ -46,12 +46,10 @@ class Live {
   constructor(drive) {
     this.drive = drive;
     const byId = (id) => document.getElementById(id);
-    this.vehicles = liveTable(
-      byId("vehicles"),
-      [["name", "vehicle"], ["x", "x [m]", 1], ["y", "y [m]", 1], ["speed", "speed [m/s]", 1], ["accel", "accel. [m/s²]", 1],
-        ["state", "state"], ["off", "belief off by [m]", 1], ["age", "age [s]", 1], ["gap", "gap [m]", 1], ["ttc", "TTC [s]", 1]],
-      drive.bodies.map((body) => body.name),
-    );
+    const columns = [["name", "vehicle"], ["x", "x [m]", 1], ["y", "y [m]", 1], ["speed", "speed [m/s]", 1], ["accel", "accel. [m/s²]", 1],
+      ["state", "state"], ["off", "belief off by [m]", 1], ["age", "age [s]", 1], ["gap", "gap [m]", 1], ["ttc", "TTC [s]", 1]];
+    const known = columns.filter(([field]) => drive.believes || (field !== "off" && field !== "age"));
+    this.vehicles = liveTable(byId("vehicles"), known, drive.bodies.map((body) => body.name));
     this.cameras = liveTable(
       byId("cameras"),
       [["name", "camera, * analysed"], ["rate", "rate [FPR]", 1], ["demand", "demand [FPR]", 1], ["by", "for"], ["bar", "demand of 30, line: rate"]],
@@ -71,12 +69,13 @@ class Live {
     bodies.forEach((body, place) => {
       const cells = this.vehicles[place];
       cells.name.textContent = body.name;
+      cells.name.parentElement.hidden = body.x[row] === null;
       cells.x.textContent = figure(body.x[row], 3);
       cells.y.textContent = figure(body.y[row], 3);
       cells.speed.textContent = figure(body.speed[row], 2);
       cells.accel.textContent = figure(body.accel[row], 2);
       if (place === 0) {
-        cells.state.textContent = MANOEUVRES[this.drive.manoeuvre[row]];
+        cells.state.textContent = this.drive.manoeuvre ? MANOEUVRES[this.drive.manoeuvre[row]] : "";
         return;
       }
       const actor = actors[place - 1];
@@ -86,9 +85,11 @@ class Live {
       let belief = "not known";
       if (actor.confirmed[row] === 1) belief = "confirmed";
       else if (known) belief = `${actor.found[row]} of ${actor.needed} frames`;
-      cells.state.textContent = `${sight}, ${belief}`;
-      cells.off.textContent = figure(off, 2);
-      cells.age.textContent = figure(actor.age[row], 2);
+      cells.state.textContent = this.drive.believes ? `${sight}, ${belief}` : sight;
+      if (this.drive.believes) {
+        cells.off.textContent = figure(off, 2);
+        cells.age.textContent = figure(actor.age[row], 2);
+      }
       cells.gap.textContent = figure(actor.gap[row], 2);
       cells.ttc.textContent = figure(actor.ttc[row], 2);
     });
@@ -109,13 +110,15 @@ class Live {
 function fillHeader(drive) {
   const byId = (id) => document.getElementById(id);
   const { summary } = drive;
-  byId("title").textContent = `${summary.scenario}, seed ${summary.seed}`;
+  byId("title").textContent = summary.seed === null ? summary.scenario : `${summary.scenario}, seed ${summary.seed}`;
   byId("subtitle").textContent = summary.title;
   const outcome = byId("outcome");
   if (summary.collision) {
     const { time_s, side, actor } = summary.collision;
     outcome.textContent = `Collision at ${time_s.toFixed(3)} s: the ego's ${side} touched ${actor}.`;
     outcome.classList.add("bad");
+  } else if (summary.seed === null) {
+    outcome.textContent = `${summary.recorded_s.toFixed(1)} s on record; whether vehicles touched is not told by a recording.`;
   } else {
     outcome.textContent = `No collision in ${summary.end_s} s.`;
     outcome.classList.add("good");
@@ -130,7 +133,7 @@ function fillHeader(drive) {
     ["Hardest braking", figure(summary.hardest_braking_mps2, 2, "m/s²")],
   ];
   if (crash) figures.push(["Impact speed", figure(crash.impact_speed_mps, 2, "m/s")]);
-  figures.push(["Frames processed", `${(100 * summary.share_of_30_fpr).toFixed(0)} % of 30 FPR`]);
+  if (summary.share_of_30_fpr !== null) figures.push(["Frames processed", `${(100 * summary.share_of_30_fpr).toFixed(0)} % of 30 FPR`]);
   figures.forEach(([what, number]) => {
     const box = element("div");
     box.append(element("dt", what), element("dd", number));
@@ -144,9 +147,8 @@ function fillProvenance(drive) {
   const lines = [
     ["Made by", `zhuyi ${provenance.version}`],
     ["Again by", provenance.command, true],
-    ["Seed", `${summary.seed}, root seed ${summary.root_seed}`],
-    ["Scenario", `BLAKE3 ${provenance.scenario_blake3} of what zhuyi show prints below its drawing`],
-    ["System", `BLAKE3 ${provenance.system_blake3} of the same`],
+    ...(summary.seed === null ? [] : [["Seed", `${summary.seed}, root seed ${summary.root_seed}`]]),
+    ...provenance.sources,
     ["Rounding", provenance.rounding],
     ["Demand", provenance.demand],
     ["Contains", provenance.contains],
@@ -164,7 +166,7 @@ function fillMoments(drive, jump) {
   const table = document.getElementById("moments");
   header(table, [["at [s]", 1], ["what"], ["who"], ["how much"]]);
   return drive.moments.map((moment) => {
-    const at = Math.min(drive.rows - 1, Math.round(moment.time_s / drive.step_s));
+    const at = rowAt(drive.times, moment.time_s);
     const row = element("tr", undefined, "jump");
     row.tabIndex = 0;
     row.dataset.row = at;
@@ -222,7 +224,7 @@ function fillWhy(drive, jump) {
       element("td", figure(stage.speed_mps, 2), "number"),
       last,
     );
-    if (reached) row.addEventListener("click", () => jump(Math.min(drive.rows - 1, Math.round(stage.time_s / drive.step_s))));
+    if (reached) row.addEventListener("click", () => jump(rowAt(drive.times, stage.time_s)));
     table.tBodies[0].append(row);
   });
   const changes = byId("changes");

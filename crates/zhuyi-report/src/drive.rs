@@ -9,7 +9,7 @@
 //! estimate in the loop. An actor's tolerable latency is the most demanding answer over the cameras that have it in view.
 
 pub mod column;
-mod columns;
+pub(crate) mod columns;
 pub mod document;
 pub mod moments;
 
@@ -23,12 +23,12 @@ use document::{Document, Provenance, Road};
 use moments::Moment;
 
 /// What was rounded, in words.
-const ROUNDING: &str = "Times of rows are exact (10 ms steps), as are those of contact and stages (1 ns). Rounded: positions and \
+pub(crate) const ROUNDING: &str = "Times of rows are exact (those of recordings to 1 µs), as are those of contact and stages (1 ns). Rounded: positions and \
 gaps to 1 mm, headings to 0.00001 rad, speeds and accelerations to 0.001 m/s and m/s², ages, latencies and TTC to 1 ms, rates and \
 demands to 0.001 FPR. TTC above 30 s is left out.";
 
 /// What is in the file besides data.
-const CONTAINS: &str =
+pub(crate) const CONTAINS: &str =
     "uPlot 1.6.32 (MIT, © 2022 Leon Sorokin), its licence in the source of this page";
 
 /// [m] from point to point of a lane's line, where the road is not straight.
@@ -64,6 +64,8 @@ impl Drive<'_> {
     /// The data of its report.
     pub fn document(&self) -> Document {
         let columns = Columns::of(self);
+        let rows = self.run.trace.rows();
+        let places: Vec<f64> = rows.map(|row| row.ego.road.s).collect();
         let mut moments = columns.moments;
         moments.extend(self.contact());
         Document {
@@ -71,9 +73,11 @@ impl Drive<'_> {
             schema: 1,
             provenance: self.provenance(),
             summary: self.summary.clone(),
-            step_s: STEP.seconds(),
+            step_s: Some(STEP.seconds()),
+            times_s: None,
+            believes: true,
             rows: self.run.trace.len(),
-            road: self.road(),
+            road: Road::along(&self.scenario.road, &places),
             bodies: columns.bodies,
             actors: columns.actors,
             cameras: columns.cameras,
@@ -101,7 +105,10 @@ impl Drive<'_> {
     }
 
     fn provenance(&self) -> Provenance {
-        let hash = |text: String| blake3::hash(text.as_bytes()).to_hex().to_string();
+        let hash = |text: &str| {
+            let hash = blake3::hash(text.as_bytes()).to_hex();
+            format!("BLAKE3 {hash} of what zhuyi show prints of it, without drawings")
+        };
         let l_0 = if self.by_policy {
             self.system.online.current_latency
         } else {
@@ -114,8 +121,10 @@ impl Drive<'_> {
         Provenance {
             version: self.version.to_string(),
             command: self.command.clone(),
-            scenario_blake3: hash(self.scenario.to_ron()),
-            system_blake3: hash(self.system.to_ron()),
+            sources: vec![
+                ("Scenario", hash(&self.scenario.to_ron())),
+                ("System", hash(&self.system.to_ron())),
+            ],
             rounding: ROUNDING,
             demand: format!(
                 "Demand: what the drive, once recorded, asked of each camera at each 10 ms step by the paper's estimator, \
@@ -124,13 +133,13 @@ impl Drive<'_> {
             contains: CONTAINS,
         }
     }
+}
 
-    /// The lines between lanes, as far as the ego came.
-    fn road(&self) -> Road {
-        let road = &self.scenario.road;
-        let places = || self.run.trace.rows().map(|row| row.ego.road.s);
-        let from = places().next().unwrap_or(0.0) - LINE_MARGIN;
-        let to = places().last().unwrap_or(0.0) + LINE_MARGIN;
+impl Road {
+    /// The lines between lanes, as far as an ego came that was at these places [m] along the road.
+    pub(crate) fn along(road: &zhuyi_core::Road, places: &[f64]) -> Self {
+        let from = places.iter().copied().fold(f64::INFINITY, f64::min) - LINE_MARGIN;
+        let to = places.iter().copied().fold(f64::NEG_INFINITY, f64::max) + LINE_MARGIN;
         let mut points = vec![from];
         let count = ((to - from) / LINE_STEP).ceil() as usize;
         // On a straight road two points make the line.
@@ -148,7 +157,7 @@ impl Drive<'_> {
             let (x, y) = poses.map(|pose| (rounded(pose.x), rounded(pose.y))).unzip();
             [x, y]
         };
-        Road {
+        Self {
             lane_width_m: road.lane_width(),
             lines: (0..=road.lanes()).map(line).collect(),
         }

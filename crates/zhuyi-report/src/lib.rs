@@ -3,6 +3,7 @@
 //! ```text
 //!  zhuyi-lab ── Comparison ──▶ [demand] ──▶ figures/beyond-phantom.svg ..
 //!  zhuyi-sim ── Run, Witness ──▶ [drive] ── Document ──▶ [page] ──▶ report.html
+//!  zhuyi-log ── Log ──▶ [recording] ── Document ──▶ [page]
 //!  runs.csv ──▶ [sweep] ── Document, with the Documents of the worst runs ──▶ [page]
 //! ```
 //!
@@ -13,8 +14,10 @@ pub mod demand;
 pub mod drive;
 pub mod page;
 pub mod palette;
+pub mod recording;
 pub mod sweep;
 
 pub use demand::figures;
 pub use drive::Drive;
 pub use page::page;
+pub use recording::Recording;

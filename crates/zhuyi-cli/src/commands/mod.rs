@@ -70,7 +70,7 @@ pub enum Command {
     Explain(explain::Arguments),
     /// Estimate what a recorded trace, of a run or of real traffic, asks of every camera at every step
     Estimate(estimate::Arguments),
-    /// Write one HTML file to open in a browser: of a sweep's folder
+    /// Write one HTML file to open in a browser: of a sweep's folder, or of a recorded trace
     Report(report::Arguments),
     /// Drive through scenarios at many frame rates and write one row per run
     Sweep(sweep::Arguments),

@@ -92,6 +92,12 @@ impl Browser {
 
     /// One command and its answer.
     pub fn call(&mut self, method: &str, params: &Value) -> Value {
+        let answer = self.answer(method, params);
+        answer.unwrap_or_else(|error| panic!("{method}: {error}"))
+    }
+
+    /// One command and its answer, or why there is none.
+    fn answer(&mut self, method: &str, params: &Value) -> Result<Value, Value> {
         self.next += 1;
         let mut command = json!({"id": self.next, "method": method, "params": params});
         if let Some(session) = &self.session {
@@ -106,8 +112,10 @@ impl Browser {
             assert_eq!(bytes.pop(), Some(0), "the browser is gone at {method}");
             let message: Value = serde_json::from_slice(&bytes).unwrap();
             if message["id"] == self.next {
-                assert!(message["error"].is_null(), "{method}: {message}");
-                return message["result"].clone();
+                return match &message["error"] {
+                    Value::Null => Ok(message["result"].clone()),
+                    error => Err(error.clone()),
+                };
             }
             self.events.push_back(message);
         }
@@ -143,14 +151,17 @@ impl Browser {
         number.unwrap_or_else(|_| panic!("no number in {selector}: {text:?}"))
     }
 
-    /// Waits until an expression holds.
+    /// Waits until an expression holds. While a page makes way for another, none does.
     pub fn wait(&mut self, expression: &str) {
         let begun = Instant::now();
-        while self.value(&format!("Boolean({expression})")) != json!(true) {
-            assert!(
-                begun.elapsed() < PATIENCE,
-                "waited in vain for {expression}"
-            );
+        let params = json!({"expression": format!("Boolean({expression})"), "returnByValue": true});
+        loop {
+            let answer = self.answer("Runtime.evaluate", &params);
+            if answer.is_ok_and(|answer| answer["result"]["value"] == json!(true)) {
+                return;
+            }
+            let in_vain = begun.elapsed() > PATIENCE;
+            assert!(!in_vain, "waited in vain for {expression}");
             sleep(Duration::from_millis(20));
         }
     }

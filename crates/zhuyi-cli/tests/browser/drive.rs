@@ -205,3 +205,53 @@ fn law_a_report_asks_for_nothing_but_itself_and_has_a_light_and_a_dark_face() {
     assert!(colours.as_u64().unwrap() > 8, "{colours}");
     assert_eq!(browser.errors(), Vec::<String>::new());
 }
+
+#[test]
+fn law_the_report_of_a_trace_shows_its_rows_at_their_own_times() {
+    let Some(mut browser) = Browser::start() else {
+        return;
+    };
+    let folder = tempfile::tempdir().unwrap();
+    zhuyi(folder.path(), "run cut-in --trace whole.csv");
+    // Every 20th row, from 2 s on, and the cutter only from 5 s on: times and rows are no longer the same thing.
+    let whole = std::fs::read_to_string(folder.path().join("whole.csv")).unwrap();
+    let kept = whole.lines().enumerate().filter(|(place, line)| {
+        let step = (*place as i64 - 1).div_euclid(2);
+        let late = step >= 200 && step % 20 == 0;
+        *place == 0 || (late && (step >= 500 || line.contains(",ego,")))
+    });
+    let text: Vec<&str> = kept.map(|(_, line)| line).collect();
+    std::fs::write(folder.path().join("drive.csv"), text.join("\n") + "\n").unwrap();
+    zhuyi(folder.path(), "report drive.csv -o drive.html");
+    browser.open(&folder.path().join("drive.html"));
+    let trace = trace(folder.path());
+    let hidden = "document.querySelector(\"#vehicles tr[data-name='cutter']\").hidden";
+    for (row, alone) in [(0, true), (14, true), (15, false), (60, false)] {
+        browser.slide("#slider", row);
+        let time = (browser.number("#time") * 1e3).round() as i64;
+        assert_eq!(time, 2_000 + 200 * i64::from(row));
+        assert_eq!(browser.value(hidden), alone);
+        for name in if alone {
+            &["ego"][..]
+        } else {
+            &["ego", "cutter"]
+        } {
+            let truth = trace[&(time, (*name).to_string())];
+            let cell = format!("#vehicles tr[data-name='{name}'] td[data-field='x']");
+            let shown = browser.number(&cell);
+            assert!(
+                (shown - truth[0]).abs() < 1.1e-3,
+                "{name} at {time}: {shown}"
+            );
+        }
+    }
+    // It plays by its own times: a second of the recording is five rows.
+    browser.slide("#slider", 0);
+    let before = browser.value("performance.now()").as_f64().unwrap();
+    browser.click("#play");
+    browser.wait("parseFloat(document.getElementById('time').textContent) >= 2.6");
+    browser.key(" ", "Space");
+    let after = browser.value("performance.now()").as_f64().unwrap();
+    assert!(after - before > 550.0, "{before}..{after}");
+    assert_eq!(browser.errors(), Vec::<String>::new());
+}

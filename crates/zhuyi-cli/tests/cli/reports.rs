@@ -289,3 +289,97 @@ fn hand_what_is_no_table_of_runs_is_refused() {
     assert!(ran.err.contains("it has no column `fpr_hz`"), "{}", ran.err);
     assert!(!bench.path("report.html").exists());
 }
+
+#[test]
+fn law_the_report_of_a_trace_tells_what_that_of_its_drive_does() {
+    let bench = Bench::new();
+    bench.out("run cut-in --fpr 4 --report drive.html --trace drive.csv");
+    let told = bench.out("report drive.csv --road cut-in --fpr 4 -o trace.html");
+    assert_eq!(
+        told,
+        "3000 steps of `ego`, 1 of 1 other vehicles\nWrote trace.html\n"
+    );
+    let (drive, trace) = (
+        data(&bench.read("drive.html")),
+        data(&bench.read("trace.html")),
+    );
+    assert_eq!(drive["rows"], trace["rows"]);
+    assert_eq!(
+        (&drive["believes"], &trace["believes"]),
+        (&true.into(), &false.into())
+    );
+    let times = track(&trace["times_s"]);
+    assert!(
+        times
+            .iter()
+            .enumerate()
+            .all(|(row, time)| (time.unwrap() - row as f64 / 100.0).abs() < 1e-9)
+    );
+    // Where everyone was is the same to the millimetre, rounded twice.
+    for (one, other) in drive["bodies"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .zip(trace["bodies"].as_array().unwrap())
+    {
+        assert_eq!(one["name"], other["name"]);
+        for column in ["x_m", "y_m", "speed_mps"] {
+            let (one, other) = (track(&one[column]), track(&other[column]));
+            let off =
+                |(one, other): (&Option<f64>, &Option<f64>)| (one.unwrap() - other.unwrap()).abs();
+            assert!(
+                one.iter().zip(&other).map(off).all(|off| off < 1.1e-3),
+                "{column}"
+            );
+        }
+    }
+    let sight = |of: &Value| steps(&of["actors"][0]["visible"]);
+    assert_eq!(sight(&drive), sight(&trace));
+    // The six decimals of a trace may move an answer by a step of the grid now and then, not more.
+    let demands = |of: &Value| steps(&of["cameras"][0]["demand_fpr"]);
+    let (one, other) = (demands(&drive), demands(&trace));
+    let same = one
+        .iter()
+        .zip(&other)
+        .filter(|(one, other)| one == other)
+        .count();
+    assert!(same * 100 >= 99 * one.len(), "{same} of {}", one.len());
+}
+
+#[test]
+fn hand_what_cannot_be_a_trace_is_refused() {
+    let bench = Bench::new();
+    bench.write("drive.csv", "time_s,id\n0,ego\n");
+    let ran = bench.zhuyi("report drive.csv -o report.html");
+    assert_eq!(ran.code, Some(2));
+    assert!(ran.err.contains("x_m"), "{}", ran.err);
+    bench.out("run cut-in --set duration_s=1 --trace drive.csv");
+    for (line, told) in [
+        (
+            "report drive.csv --ego nobody -o report.html",
+            "no row has the id of the ego, `nobody`",
+        ),
+        (
+            "report drive.csv --set ego.lane=1 -o report.html",
+            "only where --road names one",
+        ),
+        (
+            "report drive.csv --road cut-ni -o report.html",
+            "did you mean `cut-in`?",
+        ),
+    ] {
+        let ran = bench.zhuyi(line);
+        assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""), "{line}");
+        assert!(ran.err.contains(told), "{line}: {}", ran.err);
+    }
+    bench.write("runs.csv", &table("completed,,,", "zhuyi run cut-in"));
+    let ran = bench.zhuyi("report . --fpr 4 -o report.html");
+    assert_eq!(ran.code, Some(2));
+    assert!(
+        ran.err
+            .contains("--fpr is for traces, and this is a table of runs"),
+        "{}",
+        ran.err
+    );
+    assert!(!bench.path("report.html").exists());
+}

@@ -2,10 +2,9 @@
 
 use zhuyi_core::Body as Truth;
 use zhuyi_core::{ActorId, FrameRates};
-use zhuyi_estimator::{Demand, Estimate, Estimator};
+use zhuyi_estimator::{Demand, Ego, Estimate, Estimator};
 use zhuyi_lab::compare::models::Panel;
 use zhuyi_perception::View;
-use zhuyi_scenario::System;
 use zhuyi_sim::Hindsight;
 use zhuyi_sim::trace::Row;
 
@@ -15,7 +14,7 @@ use super::document::{Actor, Body, Camera};
 use super::moments::{Moment, Worst};
 
 /// [s] the largest time to collision that is told.
-const LONGEST_TTC: f64 = 30.0;
+pub(crate) const LONGEST_TTC: f64 = 30.0;
 
 /// All columns.
 pub(super) struct Columns {
@@ -23,8 +22,8 @@ pub(super) struct Columns {
     pub(super) actors: Vec<Actor>,
     pub(super) cameras: Vec<Camera>,
     pub(super) models: Vec<&'static str>,
-    pub(super) manoeuvre: Steps,
-    pub(super) asked: Track,
+    pub(super) manoeuvre: Option<Steps>,
+    pub(super) asked: Option<Track>,
     pub(super) moments: Vec<Moment>,
 }
 
@@ -47,10 +46,12 @@ impl Columns {
             worst.ego(&row);
             let rates = witness.rates(place).iter().enumerate();
             for (camera, rate) in rates.filter(|(camera, _)| eyes[*camera].camera.analysed) {
-                worst.camera(time, camera, &estimates.demands[place][camera], *rate);
+                let demand = &estimates.demands[place][camera];
+                let by = demand.actor.map(ActorId::index);
+                worst.camera(time, camera, (demand.fpr, by), *rate);
             }
             for actor in 0..row.actors.len() {
-                let (gap, ttc) = closeness(&row, actor);
+                let (gap, ttc) = closeness(&along(row.ego), &row.actors[actor]);
                 worst.closeness(time, actor, gap, ttc);
                 let belief = &witness.beliefs(place)[actor];
                 if let (true, Some(track)) = (belief.confirmed, &belief.track) {
@@ -71,8 +72,8 @@ impl Columns {
                 .map(|place| camera(drive, &estimates, place))
                 .collect(),
             moments: worst.moments(),
-            manoeuvre: Steps::whole(manoeuvre),
-            asked: Track::new(1e3, asked),
+            manoeuvre: Some(Steps::whole(manoeuvre)),
+            asked: Some(Track::new(1e3, asked)),
             models: estimates.models,
         }
     }
@@ -103,8 +104,16 @@ impl Estimates {
                 continue;
             };
             demands.push(hindsight.demands(&estimator, &row));
-            let actors = (0..row.actors.len())
-                .map(|actor| most_demanding(&panel, hindsight, &system, rates, &row, actor));
+            let actors = (0..row.actors.len()).map(|actor| {
+                let (ego, footprint, future) = hindsight.question(&row, ActorId(actor as u32));
+                let eyes = system.perception.eyes.iter().zip(rates);
+                let covering = eyes
+                    .filter(|(eye, _)| eye.camera.covers_body(row.ego.pose, &row.actors[actor]));
+                let l_0 = covering.map(|(_, hz)| system.current_latency.unwrap_or(1.0 / hz));
+                most_demanding(panel.models.len(), l_0, |l_0| {
+                    panel.answers(&ego, footprint, &future, l_0)
+                })
+            });
             latencies.push(actors.collect());
         }
         Self {
@@ -115,26 +124,21 @@ impl Estimates {
     }
 }
 
-/// [s] the tolerable latency for an actor by every model: the most demanding answer over the cameras that have it in view.
-fn most_demanding(
-    panel: &Panel,
-    hindsight: &Hindsight<'_>,
-    system: &System,
-    rates: &[f64],
-    row: &Row<'_>,
-    actor: usize,
+/// [s] the tolerable latency for an actor by so many models: the most demanding answer over the cameras that have it in view,
+/// given the current latencies [s] of these, and what all models answer at one.
+pub(crate) fn most_demanding(
+    models: usize,
+    current_latencies: impl Iterator<Item = f64>,
+    answers: impl Fn(f64) -> Vec<Estimate>,
 ) -> Vec<Option<f64>> {
-    let (ego, footprint, future) = hindsight.question(row, ActorId(actor as u32));
     let mut most: Option<Vec<Estimate>> = None;
     let mut done: Vec<f64> = Vec::new();
-    for (eye, hz) in system.perception.eyes.iter().zip(rates) {
-        let l_0 = system.current_latency.unwrap_or(1.0 / hz);
-        let covers = eye.camera.covers_body(row.ego.pose, &row.actors[actor]);
-        if !covers || done.contains(&l_0) {
+    for l_0 in current_latencies {
+        if done.contains(&l_0) {
             continue;
         }
         done.push(l_0);
-        let answers = panel.answers(&ego, footprint, &future, l_0);
+        let answers = answers(l_0);
         most = Some(match most {
             None => answers,
             Some(before) => before
@@ -148,7 +152,7 @@ fn most_demanding(
         });
     }
     match most {
-        None => vec![None; panel.models.len()],
+        None => vec![None; models],
         Some(answers) => answers.iter().map(latency).collect(),
     }
 }
@@ -179,14 +183,24 @@ fn visible(drive: &Drive<'_>) -> Vec<Vec<bool>> {
     visible
 }
 
+/// The ego as it moves along the road.
+fn along(ego: &Truth) -> Ego {
+    Ego {
+        s: ego.road.s,
+        d: ego.road.d,
+        speed: ego.s_rate,
+        accel: ego.accel,
+        footprint: ego.footprint,
+    }
+}
+
 /// [m] gap from bumper to bumper and [s] time to collision, of an actor ahead that overlaps the ego side to side.
-fn closeness(row: &Row<'_>, actor: usize) -> (Option<f64>, Option<f64>) {
-    let (ego, other) = (row.ego, &row.actors[actor]);
-    let gap = other.rear() - ego.front();
-    let apart = (other.road.d - ego.road.d).abs();
+pub(crate) fn closeness(ego: &Ego, other: &Truth) -> (Option<f64>, Option<f64>) {
+    let gap = other.rear() - (ego.s + ego.footprint.length / 2.0);
+    let apart = (other.road.d - ego.d).abs();
     let in_the_way =
         gap >= 0.0 && apart < f64::midpoint(other.footprint.width, ego.footprint.width);
-    let closing = ego.s_rate - other.s_rate;
+    let closing = ego.speed - other.s_rate;
     let ttc = (in_the_way && closing > 0.0).then(|| gap / closing);
     (in_the_way.then_some(gap), ttc)
 }
@@ -223,7 +237,11 @@ fn actor(drive: &Drive<'_>, estimates: &Estimates, visible: &[Vec<bool>], place:
         .rows()
         .zip(tracks())
         .map(|(row, track)| track.map(|track| (row.time - track.seen).seconds().max(0.0)));
-    let near = || trace.rows().map(|row| closeness(&row, place));
+    let near = || {
+        trace
+            .rows()
+            .map(|row| closeness(&along(row.ego), &row.actors[place]))
+    };
     let ttc = near().map(|(_, ttc)| ttc.filter(|ttc| *ttc <= LONGEST_TTC));
     let speed = tracks().map(|track| track.map(|track| track.s_rate));
     let latencies = (0..estimates.models.len()).map(|model| {

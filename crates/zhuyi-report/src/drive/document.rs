@@ -10,7 +10,7 @@
 //! | `moments` | the worst moments |
 //! | `explanation` | why it collided, and what would have saved it |
 //!
-//! Row i of every column is the time `i step_s`. Fields are added, never renamed; `null` says that there is none.
+//! Row i of every column is the time `i step_s`, or that of `times_s`. Fields are added, never renamed; `null` says that there is none.
 
 use serde::Serialize;
 use serde_json::Value;
@@ -29,8 +29,10 @@ pub struct Document {
     pub provenance: Provenance,
     /// What `zhuyi run --json` prints.
     pub summary: Value,
-    /// [s] from row to row.
-    pub step_s: f64,
+    /// [s] from row to row; `null` where that differs.
+    pub step_s: Option<f64>,
+    /// [s] the time of every row, where it is not that of steps.
+    pub times_s: Option<Track>,
     /// Number of rows.
     pub rows: usize,
     /// The road, as lines to draw.
@@ -43,10 +45,12 @@ pub struct Document {
     pub cameras: Vec<Camera>,
     /// Names of the models behind `Actor::latency_s`, the first of which is the paper's.
     pub models: Vec<&'static str>,
-    /// What the planner did: 0 follows, 1 brakes hard, 2 evades.
-    pub manoeuvre: Steps,
-    /// [m/s2] the acceleration that it asked for.
-    pub asked_mps2: Track,
+    /// Whether it is known what the ego believed.
+    pub believes: bool,
+    /// What the planner did, where it is known: 0 follows, 1 brakes hard, 2 evades.
+    pub manoeuvre: Option<Steps>,
+    /// [m/s2] the acceleration that it asked for, where it is known.
+    pub asked_mps2: Option<Track>,
     /// The worst moments, in the order of time.
     pub moments: Vec<Moment>,
     /// What `zhuyi explain --json` prints, where the ego collided.
@@ -60,10 +64,8 @@ pub struct Provenance {
     pub version: String,
     /// The command that makes this file again.
     pub command: String,
-    /// The scenario with nothing left to defaults: its BLAKE3 hash ...
-    pub scenario_blake3: String,
-    /// ... and that of the system.
-    pub system_blake3: String,
+    /// What it was made from: a name and what is to be said of it.
+    pub sources: Vec<(&'static str, String)>,
     /// What was rounded.
     pub rounding: &'static str,
     /// What demands and latencies mean here.

@@ -4,7 +4,6 @@
 
 use serde::Serialize;
 use zhuyi_core::{Manoeuvre, Track};
-use zhuyi_estimator::Demand;
 use zhuyi_sim::trace::Row;
 
 /// [FPR] a demand that is not told: the least.
@@ -75,29 +74,31 @@ impl<'a> Worst<'a> {
     /// What the planner did and how hard the ego braked.
     pub fn ego(&mut self, row: &Row<'_>) {
         let time = row.time.seconds();
-        let decel = -row.ego.accel;
-        self.braking.offer(decel, 0.5, || {
-            moment(time, "hardest braking", "ego", format!("{decel:.2} m/s²"))
-        });
+        self.braking(time, -row.ego.accel);
         let asked = || format!("{:.2} m/s² asked for", row.command.accel);
         let (what, first) = match row.command.manoeuvre {
             Manoeuvre::Follow => return,
             Manoeuvre::Brake => ("first brakes hard", &mut self.hard),
             Manoeuvre::Evade => ("first leaves its lane", &mut self.evading),
         };
-        first.offer(1.0, 0.0, || moment(time, what, "ego", asked()));
+        first.offer(1.0, 0.0, || moment(time, what, &self.names[0], asked()));
     }
 
-    /// What a camera was asked for while it ran at a rate.
-    pub fn camera(&mut self, time: f64, camera: usize, demand: &Demand, rate: f64) {
-        let actor = demand
-            .actor
-            .and_then(|actor| self.names.get(actor.index() + 1));
+    /// How hard the ego braked, by `decel` [m/s2].
+    pub fn braking(&mut self, time: f64, decel: f64) {
+        let who = &self.names[0];
+        self.braking.offer(decel, 0.5, || {
+            moment(time, "hardest braking", who, format!("{decel:.2} m/s²"))
+        });
+    }
+
+    /// What a camera was asked for, by the actor at a place if by any, while it ran at a rate.
+    pub fn camera(&mut self, time: f64, camera: usize, (fpr, by): (f64, Option<usize>), rate: f64) {
+        let actor = by.and_then(|actor| self.names.get(actor + 1));
         let who = match actor {
             Some(actor) => format!("{} for {actor}", self.cameras[camera]),
             None => self.cameras[camera].to_string(),
         };
-        let fpr = demand.fpr;
         let told = || format!("{fpr:.1} FPR asked for, {rate:.1} running");
         self.demand[camera].offer(fpr, QUIET, || moment(time, "highest demand", &who, told()));
         self.shortfall[camera].offer(fpr - rate, 0.0, || {
