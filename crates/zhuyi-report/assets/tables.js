@@ -228,6 +228,10 @@ function fillWhy(drive, jump) {
     table.tBodies[0].append(row);
   });
   const changes = byId("changes");
+  if (explanation.changes.length === 0) {
+    byId("saved").textContent = "No change was tried: the policy is a program of the user's.";
+    return;
+  }
   header(changes, [["change"], ["from", 1], ["to", 1], ["by", 1], ["drives tried", 1], ["again by"]]);
   explanation.changes.forEach((change) => {
     const row = element("tr", undefined, change.best ? "best" : "");

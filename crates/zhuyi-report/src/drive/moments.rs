@@ -164,3 +164,57 @@ fn moment(time: f64, what: &str, who: &str, figure: String) -> Moment {
         figure,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Worst;
+
+    #[test]
+    fn hand_of_each_kind_the_first_of_the_largest_is_told_in_the_order_of_time() {
+        let names = ["ego".to_string(), "lead".to_string()];
+        let mut worst = Worst::new(&names, vec!["front"]);
+        // The demand is above the rate of 5 from 2 s on, and highest at 3 s and 4 s alike.
+        for (time, fpr) in [(1.0, 4.0), (2.0, 6.0), (3.0, 9.0), (4.0, 9.0)] {
+            worst.camera(time, 0, (fpr, Some(0)), 5.0);
+        }
+        worst.closeness(1.0, 0, Some(20.0), Some(8.0));
+        worst.closeness(5.0, 0, Some(3.0), None);
+        worst.closeness(6.0, 0, Some(3.0), Some(9.0));
+        worst.braking(0.5, 0.4);
+        worst.braking(7.0, 4.5);
+        let told: Vec<(f64, String)> = worst
+            .moments()
+            .into_iter()
+            .map(|moment| {
+                let figure = moment.figure;
+                (
+                    moment.time_s,
+                    format!("{}, {}: {figure}", moment.what, moment.who),
+                )
+            })
+            .collect();
+        let wanted = [
+            (1.0, "smallest TTC, lead: 8.00 s"),
+            (
+                3.0,
+                "highest demand, front for lead: 9.0 FPR asked for, 5.0 running",
+            ),
+            (
+                3.0,
+                "largest shortfall of the rate, front for lead: 9.0 FPR asked for, 5.0 running",
+            ),
+            (5.0, "smallest gap ahead, lead: 3.00 m"),
+            (7.0, "hardest braking, ego: 4.50 m/s²"),
+        ];
+        assert_eq!(told, wanted.map(|(time, text)| (time, text.to_string())));
+    }
+
+    #[test]
+    fn hand_where_nothing_happened_nothing_is_told() {
+        let names = ["ego".to_string()];
+        let mut worst = Worst::new(&names, vec!["front"]);
+        worst.camera(0.0, 0, (1.0, None), 30.0);
+        worst.braking(0.0, 0.1);
+        assert_eq!(worst.moments(), []);
+    }
+}
