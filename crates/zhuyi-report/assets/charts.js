@@ -3,6 +3,16 @@
 
 const LINES = ["s0", "s1", "s2", "s3", "s4", "s5", "s6", "s7"];
 
+/** Models that are another's with something changed: its colour, dashed. */
+const VARIANTS = { "zhuyi-jumps": "zhuyi", "rss-capped": "rss", "r157-driver": "r157-cut-in" };
+
+/** The colour and the dashes of a model among all. */
+function lineOf(models, model) {
+  const first = models.filter((name) => !(name in VARIANTS));
+  const place = first.indexOf(VARIANTS[model] || model);
+  return { colour: LINES[place % LINES.length], dash: model in VARIANTS ? [6, 3] : undefined };
+}
+
 class Charts {
   /** `jump` is told the row that was clicked. */
   constructor(drive, jump) {
@@ -37,6 +47,7 @@ class Charts {
           bind: { mousedown: off, mouseup: off, mousemove: off, mouseenter: off, mouseleave: off, click: off, dblclick: off },
           points: { show: false },
         },
+        legend: { markers: { width: 2, dash: (made, index) => (made.series[index].dash ? "dashed" : "solid") } },
         scales: { x: { time: false }, y: { range: range || ((_, low, high) => padded(low, high)) } },
         axes: [
           { stroke: ink, grid, ticks, font, labelFont: font, label: "time [s]", labelSize: 18, size: 30 },
@@ -66,7 +77,7 @@ class Charts {
       const width = Math.max(200, box.clientWidth);
       if (Math.abs(width - plot.width) > 1) {
         plot.setSize({ width, height: 170 });
-        this.follow(plot);
+        this.followLater(plot);
       }
     }).observe(box);
     this.plots.push(plot);
@@ -105,6 +116,11 @@ class Charts {
     pen.restore();
   }
 
+  /** The same once a new scale or size holds: uPlot takes them in a microtask of its own, asked for before this one. */
+  followLater(plot) {
+    queueMicrotask(() => this.follow(plot));
+  }
+
   /** Puts the line of one chart at the time of the replay. */
   follow(plot) {
     const time = this.drive.times[this.row];
@@ -125,6 +141,8 @@ class Charts {
           const first = this.drive.times[0];
           const from = Math.min(Math.max(first, time - this.span / 2), Math.max(first, last - this.span));
           plot.setScale("x", { min: from, max: from + this.span });
+          this.followLater(plot);
+          continue;
         }
       }
       this.follow(plot);
@@ -136,7 +154,11 @@ class Charts {
     this.span = span;
     if (span === 0) {
       const last = this.drive.times[this.drive.rows - 1];
-      this.plots.forEach((plot) => plot.setScale("x", { min: this.drive.times[0], max: last }));
+      this.plots.forEach((plot) => {
+        plot.setScale("x", { min: this.drive.times[0], max: last });
+        this.followLater(plot);
+      });
+      return;
     }
     this.show(this.row);
   }
@@ -173,8 +195,7 @@ function fillCharts(charts, drive) {
     const series = drive.models.map((model, index) => ({
       label: model,
       data: drive.actors[place].latency[index],
-      colour: LINES[index % LINES.length],
-      dash: index >= LINES.length ? [6, 3] : undefined,
+      ...lineOf(drive.models, model),
       show: shown.includes(model),
       stepped: true,
     }));

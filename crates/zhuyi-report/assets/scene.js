@@ -261,9 +261,11 @@ class Scene {
     const [left, top, right, bottom] = this.placed[place];
     if (right < 0 || left > width || bottom < 0 || top > this.canvas.clientHeight) return;
     const middle = (top + bottom) / 2;
+    // Clear of the outline of what is believed.
+    const aside = 7 + 0.3 * this.scale;
     const tries = [
-      [right + 7, middle - high / 2],
-      [left - 7 - wide, middle - high / 2],
+      [right + aside, middle - high / 2],
+      [left - aside - wide, middle - high / 2],
       [left, top - high - 4],
       [left, bottom + 4],
       [left, top - 2 * high - 6],
