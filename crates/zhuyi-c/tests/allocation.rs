@@ -124,6 +124,57 @@ fn law_the_rust_face_allocates_nothing() {
     }
 }
 
+/// The phantoms of a scene, all of them and those that cameras need: two cars ahead, a camera to the front and one to the
+/// left.
+#[test]
+fn law_phantoms_allocate_nothing() {
+    use zhuyi_core::{Body, Camera, Footprint, Frenet, Pose};
+    use zhuyi_estimator::{Estimator, Params, PhantomParams, Surroundings, Watch};
+
+    let footprint = Footprint {
+        length: 4.5,
+        width: 1.8,
+    };
+    let body = |s: f64, d: f64| Body {
+        footprint,
+        road: Frenet { s, d },
+        pose: Pose::new(s, d, 0.0),
+        speed: 20.0,
+        accel: 0.0,
+        s_rate: 20.0,
+        d_rate: 0.0,
+    };
+    let camera = |yaw: f64| Camera {
+        name: String::new(),
+        forward: 0.0,
+        left: 0.0,
+        yaw,
+        fov: 2.0,
+        range: 150.0,
+        analysed: true,
+    };
+    let (front, left) = (camera(0.0), camera(1.5));
+    let rig = [&front, &left].map(|camera| Watch {
+        camera,
+        current_latency: 1.0 / 30.0,
+    });
+    let (ego, bodies) = (body(0.0, 0.0), [body(45.0, 0.0), body(45.0, 3.5)]);
+    let around = Surroundings {
+        ego: &ego,
+        bodies: &bodies,
+        path: |s: f64| Pose::new(s, 0.0, 0.0),
+    };
+    let (estimator, params) = (Estimator::new(Params::default()), PhantomParams::default());
+    let mut demands = [estimator.quiet(); 2];
+
+    let before = ALLOCATIONS.get();
+    estimator.add_phantoms(&around, &rig, &params, &mut demands);
+    let count = around.phantoms(&rig, &params).count();
+    assert_eq!(ALLOCATIONS.get(), before);
+
+    assert!(count == 1 && demands[0].phantom);
+}
+
 #[test]
 fn law_samples_and_the_estimate_for_a_trajectory_allocate_nothing() {
     let footprint = Footprint {

@@ -36,13 +36,24 @@ pub enum Fault {
     #[error("a range goes upwards, got {from} to {to}")]
     Reversed {
         /// Its beginning.
-        from: u32,
+        from: String,
         /// Its end.
-        to: u32,
+        to: String,
     },
     /// A range that stays where it is.
     #[error("the step of a range must be at least 1, got 0")]
     NoStep,
+    /// A range of too many numbers.
+    #[error("a range has at most {most} numbers, got {got}")]
+    TooMany {
+        /// The most allowed.
+        most: usize,
+        /// How many it has.
+        got: usize,
+    },
+    /// A policy that does not fit the rig.
+    #[error("{0}")]
+    Unfit(String),
     /// Between two steps.
     #[error("{what} must be a multiple of {of}, got {got}")]
     NoMultiple {

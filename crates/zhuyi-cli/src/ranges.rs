@@ -3,7 +3,7 @@
 //!
 //! `1:10,15,30` are the rates of the paper's table; `1:30:5` are 1, 6, 11, 16, 21 and 26, as a step ends at or before the range's end.
 
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 use crate::argument::Argument;
 use crate::fault::Fault;
@@ -51,10 +51,71 @@ fn range(
         }
     };
     if from > to {
-        argument.refuse(place, Fault::Reversed { from, to }, problems);
+        argument.refuse(place, reversed(from, to), problems);
         return None;
     }
     Some((from..=to).step_by(step))
+}
+
+fn reversed(from: impl ToString, to: impl ToString) -> Fault {
+    Fault::Reversed {
+        from: from.to_string(),
+        to: to.to_string(),
+    }
+}
+
+/// The most numbers of a range of amounts.
+const MOST: usize = 1000;
+
+/// Amounts, which may have decimals, ascending, each once.
+pub fn amounts(
+    argument: Argument<'_>,
+    what: &'static str,
+    limits: &RangeInclusive<f64>,
+    problems: &mut Problems,
+) -> Option<Vec<f64>> {
+    let before = problems.len();
+    let mut amounts = Vec::new();
+    for place in argument.parts(&argument.all(), ',') {
+        let mut number =
+            |place: &Range<usize>| argument.number(place, what, limits.clone(), problems);
+        let parts = argument.parts(&place, ':');
+        let (from, to, step) = match parts.as_slice() {
+            [only] => {
+                amounts.extend(number(only));
+                continue;
+            }
+            [from, to] => (number(from), number(to), Some(1.0)),
+            [from, to, step] => {
+                let (from, to) = (number(from), number(to));
+                let step = argument.number(step, "a step", 1e-3..=1e6, problems);
+                (from, to, step)
+            }
+            _ => {
+                let fault = Fault::RangeForm(argument.at(&place).to_string());
+                argument.refuse(&place, fault, problems);
+                continue;
+            }
+        };
+        let (Some(from), Some(to), Some(step)) = (from, to, step) else {
+            continue;
+        };
+        // An end that is met but for rounding is met.
+        let steps = ((to - from) / step + 1e-9).floor();
+        if from > to {
+            argument.refuse(&place, reversed(from, to), problems);
+        } else if steps >= MOST as f64 {
+            let (most, got) = (MOST, steps as usize + 1);
+            argument.refuse(&place, Fault::TooMany { most, got }, problems);
+        } else {
+            // To a millionth, so that 0.1 + 0.2 is 0.3.
+            let amount = |index| ((from + f64::from(index) * step) * 1e6).round() / 1e6;
+            amounts.extend((0..=steps as u32).map(amount));
+        }
+    }
+    amounts.sort_by(f64::total_cmp);
+    amounts.dedup();
+    (problems.len() == before).then_some(amounts)
 }
 
 fn step(argument: Argument<'_>, place: &Range<usize>, problems: &mut Problems) -> Option<usize> {
@@ -68,7 +129,7 @@ fn step(argument: Argument<'_>, place: &Range<usize>, problems: &mut Problems) -
 
 #[cfg(test)]
 mod tests {
-    use super::frame_rates;
+    use super::{amounts, frame_rates};
     use crate::argument::Argument;
     use crate::problems::Problems;
 
@@ -118,6 +179,34 @@ mod tests {
             "١",
         ] {
             assert_eq!(rates(text), None, "{text:?}");
+        }
+    }
+
+    #[test]
+    fn hand_amounts_have_decimals_and_an_end_that_is_met_but_for_rounding() {
+        let read = |text: &str| {
+            let mut problems = Problems::default();
+            let argument = Argument::new("--budget-tops", text);
+            let found = amounts(argument, "a budget", &(0.1..=1e4), &mut problems);
+            problems.finish(found).ok()
+        };
+        assert_eq!(read("0.1:0.3:0.1"), Some(vec![0.1, 0.2, 0.3]));
+        assert_eq!(read("5:150:5").map(|all| all.len()), Some(30));
+        assert_eq!(read("20, 5:7,6.5"), Some(vec![5.0, 6.0, 6.5, 7.0, 20.0]));
+        for text in [
+            "",
+            "0",
+            "x",
+            "7:5",
+            "1:2:0",
+            "1:2:-1",
+            "1:2:3:4",
+            "1:1e4:0.001",
+            "NaN",
+            "1:inf",
+            "1,",
+        ] {
+            assert_eq!(read(text), None, "{text:?}");
         }
     }
 

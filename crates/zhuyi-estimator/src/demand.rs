@@ -133,12 +133,7 @@ impl Estimator {
         }
     }
 
-    /// What a phantom asks of a camera that looks there, on top of its `demand`.
-    pub fn add_phantom(&self, demand: &mut Demand, estimate: &Estimate) {
-        self.add(demand, None, estimate);
-    }
-
-    /// What an actor asks, or a phantom.
+    /// What an actor asks, or a phantom: none.
     pub(crate) fn add(&self, demand: &mut Demand, actor: Option<ActorId>, estimate: &Estimate) {
         match estimate.state {
             State::None | State::Tolerable => {}
@@ -267,16 +262,16 @@ mod tests {
     fn hand_a_phantom_counts_where_it_asks_for_more() {
         let estimator = Estimator::new(Params::default());
         let mut demand = of_one_camera(&[answer(State::Tolerable, Some(0.5))]);
-        estimator.add_phantom(&mut demand, &answer(State::Tolerable, Some(0.8)));
+        estimator.add(&mut demand, None, &answer(State::Tolerable, Some(0.8)));
         assert_eq!((demand.actor, demand.phantom), (Some(ActorId(0)), false));
-        estimator.add_phantom(&mut demand, &answer(State::Tolerable, Some(0.25)));
+        estimator.add(&mut demand, None, &answer(State::Tolerable, Some(0.25)));
         assert_eq!(
             (demand.fpr, demand.actor, demand.phantom),
             (4.0, None, true)
         );
-        estimator.add_phantom(&mut demand, &answer(State::Tolerable, Some(0.5)));
+        estimator.add(&mut demand, None, &answer(State::Tolerable, Some(0.5)));
         assert_eq!((demand.fpr, demand.phantom), (4.0, true));
-        estimator.add_phantom(&mut demand, &answer(State::Unavoidable, None));
+        estimator.add(&mut demand, None, &answer(State::Unavoidable, None));
         assert_eq!((demand.fpr, demand.unavoidable), (30.0, 1));
     }
 

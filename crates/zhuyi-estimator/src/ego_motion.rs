@@ -34,6 +34,16 @@ pub fn reaction_time(latency: f64, current_latency: f64, confirm_frames: u32) ->
     latency + (f64::from(confirm_frames) * (latency - current_latency)).max(0.0)
 }
 
+/// [s] the latency at which `reaction_time` is needed: the above solved for l, not rounded to a grid.
+pub(crate) fn latency_within(reaction_time: f64, current_latency: f64, confirm_frames: u32) -> f64 {
+    let frames = f64::from(confirm_frames);
+    if reaction_time > current_latency {
+        (reaction_time + frames * current_latency) / (1.0 + frames)
+    } else {
+        reaction_time
+    }
+}
+
 /// [m/s2] a_b, the deceleration of the safety procedure for an ego whose acceleration is `accel`.
 ///
 /// C3 = 4.9, C4 = 1.1: at a_0 = -5 it is 5.5, at -4 (4.4 < 4.9) and at +5 it is 4.9.

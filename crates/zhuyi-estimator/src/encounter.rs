@@ -4,6 +4,7 @@
 //! t_n] at which the bodies overlap sideways.
 
 use crate::conflict::{Corridor, Span, Spans, Zone};
+use crate::constraints::{TOLERANCE, distance_slack, speed_slack};
 use crate::ego_motion::{EgoMotion, Phase, braking_decel};
 use crate::recording::{AlongBlock, View};
 use crate::stretch::{Datum, Margins, Outline, Stretch};
@@ -93,9 +94,27 @@ impl<'a> Encounter<'a> {
 
     /// Gap s and the actor's speed v_a at a time.
     pub fn actor(&self, time: f64) -> (f64, f64) {
+        self.actor_on(self.corridor.view.future.along_index(time), time)
+    }
+
+    /// The same by a piece.
+    fn actor_on(&self, index: usize, time: f64) -> (f64, f64) {
         let future = &self.corridor.view.future;
-        let (piece, at) = (&future.along[future.along_index(time)], time + future.now);
+        let (piece, at) = (&future.along[index], time + future.now);
         (piece.s_at(at) - self.datum.origin, piece.v_at(at))
+    }
+
+    /// Whether a candidate meets both constraints at the end of the horizon, contact or not.
+    pub fn meets_at_end(&self, candidate: &Candidate) -> bool {
+        let (future, end) = (&self.corridor.view.future, self.corridor.horizon);
+        // As in the walk, the end belongs to the piece that leads up to it.
+        let before = |piece: &Along| piece.time - future.now < end;
+        let index = future.along.partition_point(before).saturating_sub(1);
+        let (gap, actor_speed) = self.actor_on(index, end);
+        let (phase, _) = candidate.motion.phase_and_end(end);
+        let Margins { c1, c2 } = self.margins;
+        distance_slack(c1, gap, phase.distance_at(end)) >= -TOLERANCE
+            && speed_slack(c2, actor_speed, phase.speed_at(end)) >= -TOLERANCE
     }
 
     /// What happens first to a candidate on a cell.

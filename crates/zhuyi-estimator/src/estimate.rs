@@ -6,7 +6,7 @@
 use std::cmp::Ordering;
 
 use crate::grid::{MAX_FPR, fpr};
-use zhuyi_core::Footprint;
+use zhuyi_core::{Body, Footprint};
 
 /// The ego at t_0, on the road or in any straight frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,6 +21,19 @@ pub struct Ego {
     pub accel: f64,
     /// Its box.
     pub footprint: Footprint,
+}
+
+impl From<&Body> for Ego {
+    /// Of a body that drives along the path in whose frame its place is told.
+    fn from(body: &Body) -> Self {
+        Self {
+            s: body.road.s,
+            d: body.road.d,
+            speed: body.speed,
+            accel: body.accel,
+            footprint: body.footprint,
+        }
+    }
 }
 
 /// What kind of answer an estimate is.

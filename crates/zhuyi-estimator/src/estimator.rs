@@ -1,6 +1,6 @@
 //! The face of the crate: an [`Estimator`] answers for one trajectory, one forecast, or the cameras of a rig.
 
-use crate::ego_motion::reaction_time;
+use crate::ego_motion::{latency_within, reaction_time};
 use crate::encounter::{Delay, Encounter};
 use crate::grid::Latencies;
 use crate::judge::Judge;
@@ -184,10 +184,8 @@ impl Estimator {
         let delay = |index: usize| self.delay(latencies.get(index).copied(), current_latency);
         let near_last = last.and_then(|last| self.place(last));
         let guess = near_last.unwrap_or_else(|| {
-            let longest = encounter.guess();
-            let late =
-                |latency: &f64| self.delay(Some(*latency), current_latency).reaction_time > longest;
-            latencies.partition_point(late)
+            let frames = self.params.confirm_frames;
+            self.first_within(latency_within(encounter.guess(), current_latency, frames))
         });
         let found = judge.first_tolerable(latencies.len() + 1, delay, guess);
         // What is put down as the cause is what refused the candidate before; of an actor alongside, the smallest latency.
@@ -225,15 +223,18 @@ impl Estimator {
         }
     }
 
+    /// The place of the first latency of the grid that is no larger.
+    fn first_within(&self, latency: f64) -> usize {
+        let larger = |candidate: &f64| *candidate > latency;
+        self.latencies().partition_point(larger)
+    }
+
     /// Where an answer stands among the candidates; nowhere if there was no conflict, or if no rate helped.
     fn place(&self, estimate: &Estimate) -> Option<usize> {
         let latencies = self.latencies();
         match estimate.state {
             State::None | State::Alongside => None,
-            State::Tolerable => {
-                let latency = estimate.latency?;
-                Some(latencies.partition_point(|larger| *larger > latency))
-            }
+            State::Tolerable => Some(self.first_within(estimate.latency?)),
             State::BeyondGrid | State::Unavoidable => Some(latencies.len()),
         }
     }

@@ -5,7 +5,7 @@
 //! otherwise.
 
 use crate::conflict::Zone;
-use crate::encounter::{Ask, Delay, Encounter, overlap};
+use crate::encounter::{Ask, Candidate, Delay, Encounter, overlap};
 use crate::exact::Found;
 use crate::{Binding, Criterion, Params, Solver, exact, paper};
 
@@ -42,14 +42,15 @@ impl Judge<'_> {
                 guess,
             );
         }
+        let found = |index, t_n| Found {
+            index,
+            t_n,
+            unmet_until: 0.0,
+            evaluations: 0,
+        };
         let tolerated = |index| {
             let Tolerated { t_n } = self.tolerated(delay(index))?;
-            Some(Found {
-                index,
-                t_n,
-                unmet_until: 0.0,
-                evaluations: 0,
-            })
+            Some(found(index, t_n))
         };
         let first = if self.params.cautious {
             let from_smallest = (0..count - 1).rev().map_while(tolerated);
@@ -57,12 +58,7 @@ impl Judge<'_> {
         } else {
             (0..count).find_map(tolerated)
         };
-        first.unwrap_or(Found {
-            index: count,
-            t_n: None,
-            unmet_until: 0.0,
-            evaluations: 0,
-        })
+        first.unwrap_or_else(|| found(count, None))
     }
 
     /// Whether one delay will do, and its t_n.
@@ -100,13 +96,27 @@ impl Judge<'_> {
             return None;
         }
         let candidate = encounter.candidate(delay);
+        // Mostly the end tells: an actor that goes on is by then ahead again of an ego that stands.
+        Some(
+            if unmet_until < horizon && encounter.meets_at_end(&candidate) {
+                Binding::PassThrough
+            } else {
+                self.cause(&candidate, unmet_until)
+            },
+        )
+    }
+
+    /// The same of a candidate that has reacted by the end of the horizon, told by a walk along the pieces.
+    fn cause(&self, candidate: &Candidate, unmet_until: f64) -> Binding {
+        let encounter = self.encounter;
         let met = Ask {
             contact: false,
             met: true,
         };
         let mut slow_enough = false;
         for span in encounter.spans() {
-            let Some((from, to)) = overlap(&span, reaction_time, horizon) else {
+            let horizon = encounter.corridor.horizon;
+            let Some((from, to)) = overlap(&span, candidate.reaction_time, horizon) else {
                 continue;
             };
             let unknown = if from > unmet_until {
@@ -114,24 +124,20 @@ impl Judge<'_> {
             } else {
                 unmet_until
             };
-            let met_later = || {
-                unknown < to
-                    && encounter
-                        .first_event(met, &candidate, unknown, to)
-                        .is_some()
-            };
+            let met_later =
+                || unknown < to && encounter.first_event(met, candidate, unknown, to).is_some();
             if span.zone == Zone::After || met_later() {
-                return Some(Binding::PassThrough);
+                return Binding::PassThrough;
             }
             // Standing is slow enough for anything.
             slow_enough |= candidate.motion.stands_from() <= to
-                || encounter.ever_slow_enough(&candidate, from, to);
+                || encounter.ever_slow_enough(candidate, from, to);
         }
-        Some(if slow_enough {
+        if slow_enough {
             Binding::Distance
         } else {
             Binding::Speed
-        })
+        }
     }
 }
 
@@ -140,7 +146,7 @@ mod tests {
     use super::Judge;
     use crate::encounter::{Delay, Encounter};
     use crate::recording::View;
-    use crate::{Criterion, Ego, Future, Params};
+    use crate::{Binding, Criterion, Ego, Estimator, Future, Params, State};
     use proptest::prelude::*;
     use proptest::test_runner::RngSeed;
     use zhuyi_core::{Across, Along, Footprint};
@@ -149,6 +155,42 @@ mod tests {
         length: 4.0,
         width: 2.0,
     };
+
+    /// 20 m/s, a car stands 5 m ahead: the ego ends 40.8 m on, never behind it. That the list has it elsewhere from
+    /// the end of the horizon on is beyond the horizon.
+    #[test]
+    fn hand_the_end_of_the_horizon_belongs_to_the_piece_before_it() {
+        let ego = Ego {
+            s: 0.0,
+            d: 0.0,
+            speed: 20.0,
+            accel: 0.0,
+            footprint: CAR,
+        };
+        let across = [Across {
+            time: 0.0,
+            d: 0.0,
+            d_rate: 0.0,
+        }];
+        let binding = |elsewhere_from: f64| {
+            let along = [
+                Along::constant_accel(0.0, 9.0, 0.0, 0.0),
+                Along::constant_accel(elsewhere_from, 500.0, 0.0, 0.0),
+            ];
+            let future = Future {
+                along: &along,
+                across: &across,
+                known_until: 20.0,
+                now: 0.0,
+            };
+            let estimate =
+                Estimator::new(Params::default()).trajectory(&ego, CAR, &future, 1.0 / 30.0);
+            (estimate.state, estimate.binding)
+        };
+        let unavoidable = |binding| (State::Unavoidable, Some(binding));
+        assert_eq!(binding(20.0), unavoidable(Binding::Distance));
+        assert_eq!(binding(19.9), unavoidable(Binding::PassThrough));
+    }
 
     prop_compose! {
         /// A lead that changes its acceleration a few times and its offset now and then.
@@ -202,7 +244,8 @@ mod tests {
             let expected = (0..33).find(|index| judge.tolerated(delay(*index)).is_some());
             prop_assert_eq!(found.index, expected.unwrap_or(33));
             if let Some(refused) = found.index.checked_sub(1).map(delay) {
-                prop_assert_eq!(judge.refusal(refused, found.unmet_until), judge.refusal(refused, 0.0));
+                let walked = judge.cause(&encounter.candidate(refused), 0.0);
+                prop_assert_eq!(judge.refusal(refused, found.unmet_until), Some(walked));
             }
         }
     }

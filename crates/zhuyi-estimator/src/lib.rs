@@ -84,6 +84,6 @@ pub use grid::Latencies;
 pub use model::{Reaction, SafetyModel};
 pub use moment::{Answer, Moment, Seen};
 pub use params::{Aggregation, Criterion, Grid, Params, Solver};
-pub use phantom::{Phantom, PhantomParams, Surroundings};
+pub use phantom::{Phantom, PhantomParams, Phantoms, Surroundings};
 pub use recording::Recording;
 pub use uncertainty::Uncertainty;

@@ -10,7 +10,7 @@
 //! The first is t_r = l + K (l - l_0) (reading R1) solved for l. A model that knows no latencies, such as RSS, is put
 //! to the same use as Zhuyi in this way, and what differs between two answers is the model alone.
 
-use crate::ego_motion::reaction_time;
+use crate::ego_motion::{latency_within, reaction_time};
 use crate::{Ego, Estimate, Estimator, Future, State};
 use zhuyi_core::Footprint;
 
@@ -40,12 +40,7 @@ impl Reaction {
         let Self::Within(reaction) = self else {
             return None;
         };
-        let frames = f64::from(confirm_frames);
-        Some(if reaction > current_latency {
-            (reaction + frames * current_latency) / (1.0 + frames)
-        } else {
-            reaction
-        })
+        Some(latency_within(reaction, current_latency, confirm_frames))
     }
 }
 

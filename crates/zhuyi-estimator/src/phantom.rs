@@ -1,13 +1,13 @@
 //! Beyond the paper: phantoms, actors that may stand where no camera sees.
 //!
 //! A hidden obstacle raises no demand before it is confirmed, which is too late: the frames that would confirm it
-//! had to be asked for before. So an actor is assumed at the nearest place on the ego's path that no camera sees: in
-//! the shadow of whoever drives ahead, behind a bend, or at the limit of the range.
+//! had to be asked for before. So an actor is assumed at every edge along the ego's path of what no camera sees: in the
+//! shadow of whoever drives ahead, behind a bend, and at the limit of the range.
 //!
 //! ```text
-//!        eye                hider          first unseen place
-//!  ego ══●═══════════════════▓▓▓▓ · · · · · ┌────┐ · · · · · · · path
-//!        |<──────── seen ───>|    |< h v_h >|    |
+//!        eye                hider       first edge            second            limit of the range
+//!  ego ══●═══════════════════▓▓▓▓ · · · · ┌────┐ · · · ═══════▓▓▓▓┌────┐ · ═══════┌────┐ · · path
+//!        |<──────── seen ───>|    |<hv_h >|    |         seen     |    |     seen |    |
 //! ```
 //!
 //! | symbol | meaning | unit |
@@ -22,21 +22,34 @@
 //! but for a lead that stops as well, which is the worst case and says more about the assumption than about the road.
 //! A driver keeps some distance to what only he sees; h says how much.
 //!
-//! A place is looked for in steps of [`STEP`] and then bisected, so a shadow narrower than that may be passed over.
-//! What lies nearer than the first place that is seen, such as under the bumper, was seen before. Left out: places
-//! beside the path from which something could enter it, and memory of what was seen there a moment ago.
+//! **Edges** are where something seen, or somebody's place, turns into something free and unseen; and within the free
+//! and unseen, where a camera of the rig gets it in view that had it not before. So each camera has a phantom at the
+//! nearest free place in its view that nobody sees. All phantoms are alike, so for that camera it is the one that
+//! asks for most, and those behind it ask for no more (a law of the tests): further edges matter to the cameras that look
+//! past the nearest, such as a side camera around a bend or one that is turned or narrow.
+//!
+//! Places are looked at in steps of [`STEP`] and then bisected, so what is narrower than that, seen or unseen, may be
+//! passed over. What lies nearer than the first place that is seen, such as under the bumper, was seen before.
+//!
+//! Left out: **places beside the path**. What stands there is in nobody's way and asks for nothing; what comes in from
+//! there needs a speed and a time at which it comes, and with every car in the next lane hiding somebody who swerves at
+//! once the answer is the highest rate always, of an assumption and not of the road. An actor that is known to come in
+//! is a forecast like any other ([`Future`]). Left out as well: memory of what was seen there a moment ago.
 
+mod edges;
 mod outline;
 
 use zhuyi_core::{Across, Along, Body, Camera, Footprint, Pose};
 
-use crate::{Future, Watch};
-use outline::Outline;
+use crate::demand::Answers;
+use crate::{Demand, Ego, Estimator, Future, Watch};
+pub use edges::Phantoms;
+use outline::{Outline, concerns};
 
 /// [m] how far apart places are looked at.
 pub const STEP: f64 = 1.0;
 
-/// [m] how closely the first unseen place is found.
+/// [m] how closely an edge is found.
 const EXACT: f64 = 1e-3;
 
 /// What is assumed to stand where nobody looks.
@@ -81,14 +94,23 @@ pub struct Phantom {
 }
 
 impl Phantom {
+    fn new(s: f64, pose: Pose, ego: &Body, params: &PhantomParams) -> Self {
+        Self {
+            s,
+            pose,
+            along: [Along::constant_accel(0.0, s, params.speed, 0.0)],
+            across: [Across {
+                time: 0.0,
+                d: ego.road.d,
+                d_rate: 0.0,
+            }],
+        }
+    }
+
     /// Whether it is a camera's business: some of it lies in the field of view, and no further than at the limit of the
     /// range. Whether it is hidden does not matter: hidden it is.
     pub fn counts_for(&self, camera: &Camera, ego: Pose, footprint: Footprint) -> bool {
-        let outline = Outline::new(camera.pose(ego), footprint, self.pose);
-        let half = camera.fov / 2.0;
-        outline.distance <= camera.range + 2.0 * EXACT
-            && outline.bearing + outline.right < half
-            && outline.bearing + outline.left > -half
+        concerns(camera, camera.pose(ego), footprint, self.pose)
     }
 
     /// Its future, seen from t_0.
@@ -114,11 +136,12 @@ pub struct Surroundings<'a, P> {
 }
 
 impl<P: Fn(f64) -> Pose> Surroundings<'_, P> {
-    /// The nearest phantom that no camera of the rig sees. Every path has one, at the limit of the range at the latest;
-    /// none only without cameras that look along it at all.
+    /// A phantom at every edge along the ego's path, the nearest first. The last is the one at the limit of the range,
+    /// unless that lies in a shadow already; there is none without a camera that looks along the path. Allocates nothing.
     ///
     /// A lead of 1.9 m width drives 20 m ahead of a camera that sees 100 m; the box behind it is hidden from the lead's
-    /// front bumper on. If the lead keeps 2 s to it at 10 m/s, from 20 m further on.
+    /// front bumper on. If the lead keeps 2 s to it at 10 m/s, from 20 m further on. So it is behind a second one, 60 m
+    /// ahead, whom the first hides as well.
     /// ```
     /// use zhuyi_core::{Body, Camera, Footprint, Frenet, Pose};
     /// use zhuyi_estimator::Watch;
@@ -131,109 +154,74 @@ impl<P: Fn(f64) -> Pose> Surroundings<'_, P> {
     ///     pose: Pose::new(s, 0.0, 0.0), speed, accel: 0.0, s_rate: speed, d_rate: 0.0,
     /// };
     /// let rig = [Watch { camera: &camera, current_latency: 1.0 / 30.0 }];
-    /// let (ego, lead) = (car(0.0, 10.0), [car(24.0, 10.0)]);
-    /// let path = |s: f64| Pose::new(s, 0.0, 0.0);
-    /// let alone = Surroundings { ego: &ego, bodies: &[], path };
-    /// let behind = Surroundings { ego: &ego, bodies: &lead, path };
-    ///
     /// let edge = PhantomParams { footprint: car(0.0, 0.0).footprint, ..PhantomParams::default() };
-    /// let rear = |phantom: Option<_>| phantom.map(|found: zhuyi_estimator::phantom::Phantom| found.s - 2.0);
-    /// assert!((rear(alone.phantom(&rig, &edge)).unwrap() - 102.0).abs() < 2e-3);
-    /// assert_eq!(rear(behind.phantom(&rig, &edge)), Some(26.0));
-    /// let kept = PhantomParams { headway: 2.0, ..edge };
-    /// assert_eq!(rear(behind.phantom(&rig, &kept)), Some(46.0));
+    /// let rears = |bodies: &[Body], params: &PhantomParams| -> Vec<f64> {
+    ///     let around = Surroundings { ego: &car(0.0, 10.0), bodies, path: |s: f64| Pose::new(s, 0.0, 0.0) };
+    ///     around.phantoms(&rig, params).map(|phantom| phantom.s - 2.0).collect()
+    /// };
+    /// let alone = rears(&[], &edge);
+    /// assert!(alone.len() == 1 && (alone[0] - 102.0).abs() < 2e-3);
+    /// let leads = [car(24.0, 10.0), car(64.0, 10.0)];
+    /// assert_eq!(rears(&leads[..1], &edge), [26.0]);
+    /// assert_eq!(rears(&leads, &edge), [26.0, 66.0]);
+    /// assert_eq!(rears(&leads, &PhantomParams { headway: 1.5, ..edge }), [41.0, 81.0]);
     /// ```
-    pub fn phantom(&self, rig: &[Watch<'_>], params: &PhantomParams) -> Option<Phantom> {
-        let half = params.footprint.length / 2.0;
-        let furthest = rig
-            .iter()
-            .map(|Watch { camera, .. }| camera.range + camera.forward.hypot(camera.left));
-        let limit = self.ego.road.s + furthest.fold(0.0, f64::max) + 2.0 * half + STEP;
-        let mut s = self.ego.front() + half;
-        let mut seen_at = None;
-        let mut begun = false;
-        loop {
-            if let Some(free) = self.behind_occupied(s, params) {
-                (s, seen_at, begun) = (free, None, true);
-            } else if self.seen(s, rig, params) {
-                (seen_at, begun) = (Some(s), true);
-                s += STEP;
-            } else if begun {
-                return Some(self.at(self.edge(seen_at, s, rig, params), params));
-            } else if s > limit {
-                return None;
-            } else {
-                s += STEP;
-            }
-        }
+    pub fn phantoms<'a>(
+        &'a self,
+        rig: &'a [Watch<'a>],
+        params: &'a PhantomParams,
+    ) -> Phantoms<'a, P> {
+        Phantoms::new(self, rig, params)
     }
+}
 
-    /// Between a seen and an unseen place the first unseen one.
-    fn edge(
+impl Estimator {
+    /// What the phantoms ask of a rig, on top of its `demands`, one per camera in its order: each phantom asks those
+    /// cameras that look where it stands, with their own l_0, and a camera is asked for what the most demanding needs,
+    /// which is the nearest in its view. Allocates nothing.
+    ///
+    /// A camera at the bumper of an ego at 10 m/s sees 50 m of an empty road. A car that stands right behind that may be
+    /// 0.604 s late in sight (see [`Estimator::trajectory`]): 1.66 FPR. The one that looks back is not asked.
+    /// ```
+    /// # use std::f64::consts::PI;
+    /// # use zhuyi_core::{Body, Camera, Footprint, Frenet, Pose};
+    /// # use zhuyi_estimator::{Estimator, Params, PhantomParams, Surroundings, Watch};
+    /// let camera = |yaw: f64| Camera {
+    ///     name: "at the bumper".into(), forward: 2.0, left: 0.0, yaw, fov: 2.0, range: 50.0, analysed: true,
+    /// };
+    /// let (front, rear) = (camera(0.0), camera(PI));
+    /// let rig = [&front, &rear].map(|camera| Watch { camera, current_latency: 1.0 / 30.0 });
+    /// let ego = Body {
+    ///     footprint: Footprint { length: 4.0, width: 2.0 }, road: Frenet::default(), pose: Pose::default(),
+    ///     speed: 10.0, accel: 0.0, s_rate: 10.0, d_rate: 0.0,
+    /// };
+    /// let around = Surroundings { ego: &ego, bodies: &[], path: |s: f64| Pose::new(s, 0.0, 0.0) };
+    ///
+    /// let estimator = Estimator::new(Params::default());
+    /// let mut demands = [estimator.quiet(); 2];
+    /// estimator.add_phantoms(&around, &rig, &PhantomParams::default(), &mut demands);
+    /// assert_eq!(demands.map(|demand| demand.latency), [0.604, 1.0]);
+    /// assert_eq!(demands.map(|demand| demand.phantom), [true, false]);
+    /// ```
+    pub fn add_phantoms<P: Fn(f64) -> Pose>(
         &self,
-        seen_at: Option<f64>,
-        unseen: f64,
+        around: &Surroundings<'_, P>,
         rig: &[Watch<'_>],
         params: &PhantomParams,
-    ) -> f64 {
-        let Some(mut seen) = seen_at else {
-            return unseen;
-        };
-        let mut edge = unseen;
-        while edge - seen > EXACT {
-            let middle = f64::midpoint(seen, edge);
-            if self.seen(middle, rig, params) || self.behind_occupied(middle, params).is_some() {
-                seen = middle;
-            } else {
-                edge = middle;
+        demands: &mut [Demand],
+    ) {
+        let (body, footprint) = (around.ego, params.footprint);
+        let ego = Ego::from(body);
+        for phantom in around.phantoms(rig, params).nearest_of_each_camera() {
+            let future = phantom.future();
+            let mut answers = Answers::default();
+            for (watch, demand) in rig.iter().zip(&mut *demands) {
+                if phantom.counts_for(watch.camera, body.pose, footprint) {
+                    let ask = |l_0: f64| self.trajectory(&ego, footprint, &future, l_0);
+                    self.add(demand, None, &answers.of(watch.current_latency, ask));
+                }
             }
         }
-        edge
-    }
-
-    fn at(&self, s: f64, params: &PhantomParams) -> Phantom {
-        Phantom {
-            s,
-            pose: (self.path)(s),
-            along: [Along::constant_accel(0.0, s, params.speed, 0.0)],
-            across: [Across {
-                time: 0.0,
-                d: self.ego.road.d,
-                d_rate: 0.0,
-            }],
-        }
-    }
-
-    /// The first place behind the bodies, and the headways ahead of them, that leave no room for a phantom with its
-    /// centre at `s`; none where there is room.
-    fn behind_occupied(&self, s: f64, params: &PhantomParams) -> Option<f64> {
-        let half = params.footprint.length / 2.0;
-        let mut free = s;
-        loop {
-            let ends = |body: &Body| body.front() + params.headway * body.s_rate.max(0.0) + half;
-            let in_the_way = |body: &&Body| {
-                let across = (body.road.d - self.ego.road.d).abs();
-                let reach = f64::midpoint(body.footprint.width, params.footprint.width);
-                // Compared in this form, so that a round passes over a body whatever is rounded.
-                across < reach && body.rear() < free + half && free < ends(body)
-            };
-            let Some(body) = self.bodies.iter().find(in_the_way) else {
-                break;
-            };
-            free = ends(body);
-        }
-        (free > s).then_some(free)
-    }
-
-    /// Whether some camera sees a phantom with its centre at `s`.
-    fn seen(&self, s: f64, rig: &[Watch<'_>], params: &PhantomParams) -> bool {
-        let pose = (self.path)(s);
-        rig.iter().any(|Watch { camera, .. }| {
-            let eye = camera.pose(self.ego.pose);
-            let phantom = Outline::new(eye, params.footprint, pose);
-            phantom.distance <= camera.range
-                && phantom.visible_share(eye, camera.fov, self.bodies) >= params.visible_share
-        })
     }
 }
 

@@ -27,6 +27,7 @@ impl Quadratic {
     }
 
     /// The first x in [0, end] at which the value is below zero, or from which on it is.
+    #[inline]
     pub fn first_below(&self, end: f64) -> Option<f64> {
         let Self { c0, c1, c2 } = *self;
         if c0 < 0.0 {
@@ -40,6 +41,7 @@ impl Quadratic {
     }
 
     /// The first x in [0, end] at which the value is at least zero.
+    #[inline]
     pub fn first_reached(&self, end: f64) -> Option<f64> {
         let Self { c0, c1, c2 } = *self;
         if c0 >= 0.0 {

@@ -74,6 +74,7 @@ impl Stretch {
     }
 
     /// The x at which the ego's front first passes the actor's rear.
+    #[inline]
     pub fn first_contact(&self) -> Option<f64> {
         self.clearance().first_below(self.length)
     }
@@ -84,6 +85,7 @@ impl Stretch {
     }
 
     /// The first x in [0, end] at which both constraints are met.
+    #[inline]
     pub fn first_met(&self, margins: Margins, end: f64) -> Option<f64> {
         let met = self.first_met_below(margins, margins.c2, end);
         let reverses =
@@ -99,6 +101,7 @@ impl Stretch {
     }
 
     /// The first x in [0, end] with Eq. 1 and v_e <= c2 v_a.
+    #[inline]
     fn first_met_below(&self, margins: Margins, c2: f64, end: f64) -> Option<f64> {
         let (from, to) = self.slow_enough(c2, end)?;
         self.distance_slack(margins.c1)

@@ -174,10 +174,12 @@ impl Encounter<'_> {
         } else {
             (there.0, here.0)
         };
-        if piece.s_half_accel != 0.0 {
-            // How far a parabola strays from its chord at most.
-            let bulge = piece.s_half_accel.abs() * ((y - x) * (y - x) / 4.0);
-            (low, high) = (low - bulge, high + bulge);
+        // A parabola strays from its chord by at most this: to below if it opens upwards, else to above.
+        let bulge = || piece.s_half_accel * ((y - x) * (y - x) / 4.0);
+        if piece.s_half_accel > 0.0 {
+            low -= bulge();
+        } else if piece.s_half_accel < 0.0 {
+            high -= bulge();
         }
         let fastest = if here.1 > there.1 { here.1 } else { there.1 };
         let forward = if fastest > 0.0 { fastest } else { 0.0 };

@@ -10,13 +10,14 @@
 //! | paper | the model of the table |
 //! | uncertainty | [`Uncertainty::example`] for every actor: a track in its steady state |
 //! | first sight | [`Uncertainty::first_sight`] for every actor: a track of one frame, throughout |
-//! | phantom | an actor stands right behind the edge of what no camera sees |
+//! | phantom | an actor stands right behind every edge of what no camera sees |
 //! | phantom, 2 s | the same, but hiders keep 2 s to it, the rule of thumb for following |
 //! | evasion | [`Evasion::default`] to the sides that are free, beside braking |
 //!
 //! In the table all actors count, hidden or not, as they do in the paper's. The lines of the phantoms count only who is
 //! seen (reading R17), or there would be nothing for a phantom to tell. Left out: two options at once.
 
+mod edges;
 mod page;
 
 use rayon::prelude::*;
@@ -24,6 +25,8 @@ use zhuyi_core::FrameRates;
 use zhuyi_estimator::{Demand, Estimator, Evasion, PhantomParams, Uncertainty};
 use zhuyi_scenario::Scenario;
 use zhuyi_sim::{Draws, Hindsight, Outcome, Simulation};
+
+pub use edges::Edges;
 
 use crate::estimators::{TABLE, VARIANTS as TABLES};
 use crate::progress::Progress;
@@ -44,6 +47,9 @@ pub const VARIANTS: [&str; COUNT] = [
     "phantom, 2 s",
     "evasion",
 ];
+
+/// Those with phantoms.
+const PHANTOMS: [usize; 2] = [3, 4];
 
 /// [s] the headway of the fifth.
 const HEADWAY: f64 = 2.0;
@@ -92,6 +98,8 @@ pub struct Comparison {
 pub struct Beyond {
     /// What each run that did not collide asked for by each variant, per scenario.
     pub peaks: Vec<Vec<[Peak; COUNT]>>,
+    /// Where nobody looked in the run of seed 0, per scenario and variant with phantoms.
+    pub edges: Vec<[Edges; PHANTOMS.len()]>,
     /// The table.
     pub text: String,
     /// One comparison per option, each in the scenario where it changes the demand at one step the most.
@@ -135,10 +143,15 @@ pub fn beyond(plan: &Plan, progress: &dyn Progress) -> Beyond {
         .chunks(plan.seeds as usize)
         .map(|of_scenario| of_scenario.iter().copied().flatten().collect())
         .collect();
+    let edges = (0..plan.scenarios.len()).into_par_iter();
+    let edges: Vec<_> = edges
+        .map(|scenario| Drive::new(plan, scenario, 0).edges())
+        .collect();
     Beyond {
-        text: page::markdown(plan, &required, &peaks),
+        text: page::markdown(plan, &required, &peaks, &edges),
         comparisons: comparisons(plan, &peaks),
         peaks,
+        edges,
     }
 }
 

@@ -6,6 +6,7 @@
 //!                     └──▶ [reruns] at the rates asked for ──▶ [runs] ──▶ runs.csv        [manifest] ──▶ manifest.json
 //!  Plan ──▶ [beyond]: the estimator's options beyond the paper ──▶ beyond.md, lines for figures
 //!  Plan ──▶ [robustness]: one thing changed at a time, fresh seeds ──▶ robustness.md
+//!  Allocating ──▶ [allocate]: policies under budgets on the same drives ──▶ allocation.md, allocation.csv
 //!  Comparison ──▶ [compare]: all models on the same runs ──▶ compare.md, compare.csv, compare_demand.csv
 //! ```
 //!
@@ -15,6 +16,7 @@
 //! What it guarantees, each shown by a test: the same plan gives the same bytes at any number of threads; the order of the
 //! cells changes nothing; a run alone is the run of its sweep; no number of the paper's table is known outside [`paper`].
 
+pub mod allocate;
 pub mod beyond;
 #[doc = include_str!("calibration.md")]
 pub mod calibration {}
@@ -38,6 +40,7 @@ pub mod sweep;
 pub mod table;
 mod text;
 
+pub use allocate::{Allocating, Budgets, allocate};
 pub use beyond::beyond;
 pub use compare::{Comparison, compare};
 pub use error::LabError;

@@ -2,6 +2,7 @@
 
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
+use zhuyi_lab::allocate::Feedback;
 use zhuyi_lab::beyond::{Comparison, Line};
 
 use crate::palette::{GREY, LINES};
@@ -23,6 +24,14 @@ pub fn figures(comparisons: &[Comparison]) -> Vec<(&'static str, String)> {
         .iter()
         .map(|comparison| (name(comparison.option), figure(comparison)))
         .collect()
+}
+
+/// The figure of the literal l_0, with the name of its file.
+pub fn feedback(feedback: &Feedback) -> (&'static str, String) {
+    (
+        "figures/allocation-feedback.svg",
+        figure(&feedback.comparison),
+    )
 }
 
 /// One figure as the text of an SVG file.

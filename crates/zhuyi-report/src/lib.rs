@@ -17,7 +17,7 @@ pub mod palette;
 pub mod recording;
 pub mod sweep;
 
-pub use demand::figures;
+pub use demand::{feedback, figures};
 pub use drive::Drive;
 pub use page::page;
 pub use recording::Recording;

@@ -2,19 +2,19 @@
 //!
 //! This is the paper's pre-deployment use: ground truth, one trajectory per actor, the one that was driven.
 //!
-//! Beyond the paper, each an option: [`Hindsight::with_phantoms`] adds an actor where nobody looks,
+//! Beyond the paper, each an option: [`Hindsight::with_phantoms`] adds an actor wherever nobody looks,
 //! [`Hindsight::with_evasion`] lets the ego evade, [`Hindsight::of_the_visible`] leaves out who is hidden (reading R14).
 
-use zhuyi_core::{ActorId, Body, Camera, CameraId, Footprint, FrameRates, Frenet, Road, SimTime};
+use zhuyi_core::{ActorId, Body, Camera, CameraId, Footprint, FrameRates, Road, SimTime};
 use zhuyi_estimator::phantom::visible_share;
 use zhuyi_estimator::{
-    Demand, Ego, Estimate, Estimator, Future, Phantom, PhantomParams, Recording, Surroundings,
-    Watch,
+    Demand, Ego, Estimate, Estimator, Future, Phantom, PhantomParams, Recording, Watch,
 };
 use zhuyi_perception::Eye;
 use zhuyi_scenario::System;
 
 use crate::recorded::futures;
+use crate::surroundings::surroundings;
 use crate::trace::{Row, Trace};
 
 /// A run's recorded future, ready to be asked at any step.
@@ -46,8 +46,8 @@ impl<'a> Hindsight<'a> {
         }
     }
 
-    /// Beside the actors counts a phantom, at the nearest place of the ego's path that no camera sees. The ego brakes for
-    /// it, whether it may evade or not.
+    /// Beside the actors count phantoms, at every edge along the ego's path of what no camera sees. The ego brakes for
+    /// them, whether it may evade or not.
     #[must_use]
     pub fn with_phantoms(mut self, road: &'a Road, params: PhantomParams) -> Self {
         self.phantoms = Some((road, params));
@@ -88,7 +88,7 @@ impl<'a> Hindsight<'a> {
         current_latency: f64,
         last: Option<&Estimate>,
     ) -> Estimate {
-        let ego = ego_at(row);
+        let ego = Ego::from(row.ego);
         let (body, future) = (&row.actors[actor.index()], &self.futures[actor.index()]);
         let (footprint, now) = (body.footprint, row.time.seconds());
         if let (Some(road), Some(evasion)) = (self.evades_on, estimator.params().evasion) {
@@ -120,7 +120,7 @@ impl<'a> Hindsight<'a> {
     pub fn question(&self, row: &Row<'_>, actor: ActorId) -> (Ego, Footprint, Future<'_>) {
         let recorded = self.futures[actor.index()].trajectory();
         (
-            ego_at(row),
+            Ego::from(row.ego),
             row.actors[actor.index()].footprint,
             Future::new(recorded, row.time.seconds()),
         )
@@ -155,15 +155,9 @@ impl<'a> Hindsight<'a> {
         let actors = (0..).map(ActorId).zip(row.actors);
         let counts = |camera: &Camera, _: ActorId, body: &Body| self.counts(camera, row, body);
         estimator.demands_into(&self.rig, actors, counts, estimate, demands);
-        let Some((phantom, footprint)) = self.phantom(row) else {
-            return;
-        };
-        let (ego, future) = (ego_at(row), phantom.future());
-        for (watch, demand) in self.rig.iter().zip(demands) {
-            if phantom.counts_for(watch.camera, row.ego.pose, footprint) {
-                let answer = estimator.trajectory(&ego, footprint, &future, watch.current_latency);
-                estimator.add_phantom(demand, &answer);
-            }
+        if let Some((road, params)) = &self.phantoms {
+            let around = surroundings(road, row.ego, row.actors);
+            estimator.add_phantoms(&around, &self.rig, params, demands);
         }
     }
 
@@ -174,20 +168,13 @@ impl<'a> Hindsight<'a> {
         camera.covers_body(ego, body) && self.least_share.is_none_or(seen)
     }
 
-    /// The phantom at a row, with its box.
-    fn phantom(&self, row: &Row<'_>) -> Option<(Phantom, Footprint)> {
-        let (road, params) = self.phantoms.as_ref()?;
-        let around = Surroundings {
-            ego: row.ego,
-            bodies: row.actors,
-            path: |s: f64| {
-                road.world_from_road(Frenet {
-                    s,
-                    d: row.ego.road.d,
-                })
-            },
-        };
-        Some((around.phantom(&self.rig, params)?, params.footprint))
+    /// What decides at a row where nobody looks; none without phantoms.
+    pub fn phantoms(&self, row: &Row<'_>) -> Vec<Phantom> {
+        let phantoms = self.phantoms.as_ref().map(|(road, params)| {
+            let around = surroundings(road, row.ego, row.actors);
+            around.phantoms(&self.rig, params).collect()
+        });
+        phantoms.unwrap_or_default()
     }
 
     /// The largest demands over all rows.
@@ -244,16 +231,6 @@ impl<'a> Hindsight<'a> {
         if sum > peaks.sum {
             peaks.sum = sum;
         }
-    }
-}
-
-fn ego_at(row: &Row<'_>) -> Ego {
-    Ego {
-        s: row.ego.road.s,
-        d: row.ego.road.d,
-        speed: row.ego.speed,
-        accel: row.ego.accel,
-        footprint: row.ego.footprint,
     }
 }
 

@@ -11,11 +11,12 @@
 use zhuyi_core::{Body, Forecast, Frenet, Road, SimTime, Track};
 use zhuyi_estimator::rivals::Rivals;
 use zhuyi_estimator::{
-    Answer, Demand, Ego, Estimator, Future, Moment, PhantomParams, SafetyModel, Seen, Surroundings,
-    Watch,
+    Answer, Demand, Ego, Estimator, Future, Moment, PhantomParams, SafetyModel, Seen, Watch,
 };
 use zhuyi_scenario::System;
 use zhuyi_scheduler::Demands;
+
+use crate::surroundings::{believed, surroundings};
 
 /// The estimator on what the ego believes.
 #[derive(Debug)]
@@ -144,13 +145,9 @@ impl<'a> Online<'a> {
         rig: &[Watch<'_>],
         demands: &[Demand],
     ) -> Vec<Demand> {
-        let bodies: Vec<Body> = tracks.iter().map(|track| self.body(track)).collect();
-        let path = |s: f64| self.road.world_from_road(Frenet { s, d: ego.road.d });
-        let around = Surroundings {
-            ego,
-            bodies: &bodies,
-            path,
-        };
+        let believed = |track: &Track| believed(track, self.road);
+        let bodies: Vec<Body> = tracks.iter().map(believed).collect();
+        let around = surroundings(self.road, ego, &bodies);
         let params = PhantomParams {
             footprint: self.system.vehicle.footprint,
             speed: 0.0,
@@ -158,40 +155,9 @@ impl<'a> Online<'a> {
             visible_share: self.system.perception.visible_share,
         };
         let mut demands = demands.to_vec();
-        if let Some(phantom) = around.phantom(rig, &params) {
-            let this = Ego {
-                s: ego.road.s,
-                d: ego.road.d,
-                speed: ego.speed,
-                accel: ego.accel,
-                footprint: ego.footprint,
-            };
-            for (watch, demand) in rig.iter().zip(&mut demands) {
-                if phantom.counts_for(watch.camera, ego.pose, params.footprint) {
-                    let answer = self.estimator.trajectory(
-                        &this,
-                        params.footprint,
-                        &phantom.future(),
-                        watch.current_latency,
-                    );
-                    self.estimator.add_phantom(demand, &answer);
-                }
-            }
-        }
+        self.estimator
+            .add_phantoms(&around, rig, &params, &mut demands);
         demands
-    }
-
-    /// A track as a body.
-    fn body(&self, track: &Track) -> Body {
-        Body {
-            footprint: track.footprint,
-            road: track.road,
-            pose: self.road.world_from_road(track.road),
-            speed: track.s_rate.max(0.0),
-            accel: track.s_accel,
-            s_rate: track.s_rate,
-            d_rate: track.d_rate,
-        }
     }
 
     /// [Hz] what another model asks of every camera: of each actor the future that is most likely.

@@ -44,7 +44,7 @@ pub struct Collision {
 }
 
 /// How much a camera saw.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Frames {
     /// Pictures taken.
     pub exposed: u64,

@@ -1,7 +1,8 @@
 //! The options beyond the paper where they meet perception and the scenarios.
 //!
 //! - the estimator's rule of sight and its example of uncertainty are those of perception, which it does not know;
-//! - with a phantom the demand rises before the obstacle of a cut-out comes into sight, without it does not.
+//! - with a phantom the demand rises before the obstacle of a cut-out comes into sight, without it does not: in hindsight,
+//!   and in the loop from tracks.
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -9,7 +10,7 @@ use zhuyi_core::{Body, Camera, Footprint, FrameRates, Frenet, Pose, Scene, SimTi
 use zhuyi_estimator::{Estimator, PhantomParams, Uncertainty, phantom};
 use zhuyi_perception::axis::{Axis, Measurement};
 use zhuyi_scenario::{Scenario, Source, System, embedded, load};
-use zhuyi_sim::{Draws, Hindsight, Simulation};
+use zhuyi_sim::{Draws, Hindsight, Scheduled, Simulation};
 
 /// Boxes anywhere around a camera of any kind that look anywhere: the visible share is the same number.
 #[test]
@@ -149,6 +150,44 @@ fn before_sight(name: &str, headway: f64) -> (f64, f64, f64) {
         with = front(&phantoms).max(with);
     }
     panic!("the obstacle of {name} never comes into sight");
+}
+
+/// The same in the loop, from what the ego believes alone, where its forecasts of the lead ask for something as well: as
+/// much as in hindsight, what perception needs, and at every step no less than without phantoms.
+#[test]
+fn hand_phantoms_past_the_tracks_raise_the_demand_before_the_obstacle_is_in_sight() {
+    for (name, required) in [("cut-out", 2.0), ("cut-out-fast", 6.0)] {
+        let (sight, _, in_hindsight) = before_sight(name, 0.0);
+        let (scenario, system) = read(name);
+        let rates = FrameRates::new(vec![30.0; system.perception.eyes.len()]);
+        let draws = Draws {
+            root: 0,
+            scenario: name,
+            seed: 0,
+        };
+        assert_eq!(system.online.phantom_headway, 0.0);
+        let scheduled = Scheduled::watching(&scenario, &system, &rates, draws);
+        let (_, asked) = scheduled.run().expect("no policy, nothing to fail");
+        let front = asked.iter().map(|asked| {
+            let demands = &asked.by_model[0];
+            (asked.time.seconds(), demands.zhuyi, demands.phantom)
+        });
+        let (mut without, mut with) = (0.0, 0.0);
+        for (time, plain, phantom) in front {
+            assert!(phantom >= plain, "{name} at {time} s: {phantom} < {plain}");
+            if time < sight {
+                without = plain.max(without);
+                with = phantom.max(with);
+            }
+        }
+        println!(
+            "{name}: {without:.2} FPR without, {with:.2} with, {in_hindsight:.2} in hindsight"
+        );
+        assert!(
+            without < with && with >= in_hindsight.max(required),
+            "{name}"
+        );
+    }
 }
 
 fn read(name: &str) -> (Scenario, System) {

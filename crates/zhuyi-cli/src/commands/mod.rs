@@ -1,7 +1,7 @@
 //! The commands. Each file has the arguments as typed, what they mean, and the run.
 
+mod allocate;
 mod beyond;
-mod budget;
 mod check;
 mod compare;
 mod delivery;
@@ -11,6 +11,7 @@ mod grid;
 mod list;
 mod mrf;
 mod new;
+mod policies;
 mod report;
 mod reproduce;
 mod robustness;
@@ -82,6 +83,8 @@ pub enum Command {
     Robustness(robustness::Arguments),
     /// Put what other safety models ask for beside what was needed, on the same drives
     Compare(compare::Arguments),
+    /// Share compute budgets between the cameras by many policies, and count the collisions
+    Allocate(allocate::Arguments),
     /// See what the estimator's options beyond the paper change
     Beyond(beyond::Arguments),
 }
@@ -103,6 +106,7 @@ impl Command {
             Self::Reproduce(typed) => Box::new(typed.meant()?),
             Self::Robustness(typed) => Box::new(typed.meant()?),
             Self::Compare(typed) => Box::new(typed.meant()?),
+            Self::Allocate(typed) => Box::new(typed.meant()?),
             Self::Beyond(typed) => Box::new(typed.meant()?),
         })
     }

@@ -12,17 +12,15 @@ use zhuyi_core::FrameRates;
 use zhuyi_estimator::grid::MAX_FPR;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::safety::Response;
-use zhuyi_scheduler::{Policy, policy};
 use zhuyi_sim::{
     Allocation, Asked, Draws, Scheduled, Simulation, equal_parts, known_future, trace_csv,
 };
 
 use super::Task;
-use super::budget::Budget;
+use super::policies::{self, Budget};
 use crate::answer::Answer;
 use crate::argument::Argument;
 use crate::error::Error;
-use crate::fault::Fault;
 use crate::inputs::{Inputs, Setup};
 use crate::output::Output;
 use crate::problems::Problems;
@@ -167,14 +165,25 @@ impl Arguments {
         let (trace, online) = (place(&self.trace), place(&self.online));
         let report = place(&self.report);
         let budget = self.budget(&mut problems);
-        let policy = self.policy(&mut problems);
+        let policy = match &self.policy {
+            Some(name) => policies::named(name, &mut problems).map(Some),
+            None => Some(None),
+        };
         let scenario = read.scenarios.and_then(|mut scenarios| scenarios.pop());
+        let mut system = read.system;
+        let budget = budget.zip(system.as_mut());
+        let budget = budget.map(|(budget, system)| budget.map(|budget| budget.of(system)));
+        if let (Some(name), Some(Some(budget)), Some(system), true) =
+            (&self.policy, budget, &system, policy.is_some())
+        {
+            policies::look_at(name, budget, system, &mut problems);
+        }
         let run = || {
-            let (mut system, mut rates) = (read.system?, rates?);
-            let budget = budget?.map(|budget| budget.of(&mut system));
-            if let Some(budget) = budget {
-                rates = equal_parts(&system, budget);
-            }
+            let (system, budget) = (system?, budget?);
+            let rates = match budget {
+                Some(budget) => equal_parts(&system, budget),
+                None => rates?,
+            };
             let allocation = policy?
                 .zip(budget)
                 .map(|(policy, budget)| Allocation { policy, budget });
@@ -204,22 +213,6 @@ impl Arguments {
             report: None,
             json: false,
             ..self.clone()
-        }
-    }
-
-    /// The policy, if one was typed.
-    #[expect(clippy::option_option, reason = "refused, or read: none or one")]
-    fn policy(&self, problems: &mut Problems) -> Option<Option<Box<dyn Policy>>> {
-        let Some(name) = &self.policy else {
-            return Some(None);
-        };
-        match policy(name) {
-            Ok(policy) => Some(Some(policy)),
-            Err(error) => {
-                let argument = Argument::new("--policy", name);
-                argument.refuse(&argument.all(), Fault::Policy(error), problems);
-                None
-            }
         }
     }
 

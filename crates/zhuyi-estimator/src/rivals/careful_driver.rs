@@ -23,6 +23,7 @@
 //! Source: UN R157, guidance on critical traffic disturbance scenarios (annex 4, appendix 3 of the 2020 text; annex 3
 //! since the 01 series). Left out: its drag of the engine during the delay, and steering.
 
+use super::at_start;
 use super::course::{Brakes, Course, HORIZON, largest_clear};
 use crate::ego_motion::Start;
 use crate::{ActorStart, Ego, Future, Reaction, SafetyModel};
@@ -76,24 +77,21 @@ impl SafetyModel for CarefulDriver {
     /// assert!((time - 2.2075).abs() < 1e-9);
     /// ```
     fn reaction(&self, ego: &Ego, actor: Footprint, future: &Future<'_>) -> Reaction {
-        let Some(start) = future.start() else {
-            return Reaction::NoDanger;
-        };
-        let reach = f64::midpoint(ego.footprint.length, actor.length);
-        let ahead = start.s - ego.s;
-        if ahead < -reach {
-            return Reaction::NoDanger;
-        }
-        let half_widths = f64::midpoint(ego.footprint.width, actor.width);
-        let Some(window) = overlap(&start, ego.d, half_widths) else {
-            return Reaction::NoDanger;
-        };
-        let leader = Course::steady(start.speed);
-        let speed = Start::new(ego.speed, ego.accel);
-        largest_clear(|onset| {
-            let course = Course::braking(speed, onset, self.brakes());
-            course.stays_behind(&leader, ahead, reach, window)
-                || leader.stays_behind(&course, -ahead, reach, window)
+        at_start(future, |start| {
+            let reach = f64::midpoint(ego.footprint.length, actor.length);
+            let ahead = start.s - ego.s;
+            if ahead < -reach {
+                return None;
+            }
+            let half_widths = f64::midpoint(ego.footprint.width, actor.width);
+            let window = overlap(start, ego.d, half_widths)?;
+            let leader = Course::steady(start.speed);
+            let speed = Start::new(ego.speed, ego.accel);
+            Some(largest_clear(|onset| {
+                let course = Course::braking(speed, onset, self.brakes());
+                course.stays_behind(&leader, ahead, reach, window)
+                    || leader.stays_behind(&course, -ahead, reach, window)
+            }))
         })
     }
 }

@@ -23,7 +23,7 @@
 //! (EU) 2022/1426, annex III, 1.4.2, have the same rule with tau = 0.1 s + 0.3 s/2. Left out: that the regulation
 //! asks for 5.2.5.2 only where the intruder was visible for 0.72 s before.
 
-use super::{Approach, Lane};
+use super::{Approach, Lane, at_start};
 use crate::{Ego, Future, Reaction, SafetyModel};
 use zhuyi_core::Footprint;
 
@@ -93,14 +93,13 @@ impl SafetyModel for CutInRule {
     /// assert!((time - 2.167).abs() < 5e-4);
     /// ```
     fn reaction(&self, ego: &Ego, actor: Footprint, future: &Future<'_>) -> Reaction {
-        let Some(start) = future.start() else {
-            return Reaction::NoDanger;
-        };
-        let approach = Approach::new(ego, actor, &start);
-        match self.lane.time_to_collision(&approach, ego.footprint.width) {
-            None => Reaction::NoDanger,
-            Some(collision) => within(collision - self.share(approach.closing_speed)),
-        }
+        at_start(future, |start| {
+            let approach = Approach::new(ego, actor, start);
+            let collision = self
+                .lane
+                .time_to_collision(&approach, ego.footprint.width)?;
+            Some(within(collision - self.share(approach.closing_speed)))
+        })
     }
 }
 

@@ -39,7 +39,7 @@ pub use sff::SafetyForceField;
 pub use ttc::TtcThreshold;
 pub use visibility::VisibilityBudget;
 
-use crate::SafetyModel;
+use crate::{ActorStart, Future, Reaction, SafetyModel};
 
 /// One of each, by default with default parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -99,4 +99,10 @@ impl Rivals {
             &self.visibility,
         ]
     }
+}
+
+/// The answer of a model that looks at the actor as it is at t_0: none is no danger, as is a future without pieces.
+fn at_start(future: &Future<'_>, answer: impl FnOnce(&ActorStart) -> Option<Reaction>) -> Reaction {
+    let answer = future.start().and_then(|start| answer(&start));
+    answer.unwrap_or(Reaction::NoDanger)
 }

@@ -18,7 +18,7 @@
 pub mod lateral;
 pub mod longitudinal;
 
-use super::Approach;
+use super::{Approach, at_start};
 use crate::{Ego, Future, Reaction, SafetyModel};
 use zhuyi_core::Footprint;
 
@@ -83,18 +83,17 @@ impl SafetyModel for Rss {
     }
 
     fn reaction(&self, ego: &Ego, actor: Footprint, future: &Future<'_>) -> Reaction {
-        let Some(start) = future.start() else {
-            return Reaction::NoDanger;
-        };
-        let approach = Approach::new(ego, actor, &start);
-        if approach.behind {
-            return Reaction::NoDanger;
-        }
-        let along =
-            self.longitudinal_response(approach.gap, ego.speed.max(0.0), start.speed.max(0.0));
-        // The ego keeps its offset, so its own lateral speed is zero.
-        let across = self.lateral_response(approach.edge_gap, 0.0, approach.inward_speed);
-        laxer(along, across)
+        at_start(future, |start| {
+            let approach = Approach::new(ego, actor, start);
+            if approach.behind {
+                return None;
+            }
+            let along =
+                self.longitudinal_response(approach.gap, ego.speed.max(0.0), start.speed.max(0.0));
+            // The ego keeps its offset, so its own lateral speed is zero.
+            let across = self.lateral_response(approach.edge_gap, 0.0, approach.inward_speed);
+            Some(laxer(along, across))
+        })
     }
 }
 

@@ -28,6 +28,7 @@
 //! procedures that follow the road. Left out of this reading too, and on the unsafe side: an actor without forward speed
 //! along the path stands in it (an oncoming one is a standing one, and one that crosses square to it never comes in).
 
+use super::at_start;
 use super::course::{Brakes, Course, HORIZON, largest_clear};
 use crate::ego_motion::Start;
 use crate::{ActorStart, Ego, Future, Reaction, SafetyModel};
@@ -70,31 +71,28 @@ impl SafetyModel for SafetyForceField {
     /// assert!((time - 2.5).abs() < 1e-9);
     /// ```
     fn reaction(&self, ego: &Ego, actor: Footprint, future: &Future<'_>) -> Reaction {
-        let Some(start) = future.start() else {
-            return Reaction::NoDanger;
-        };
-        let reach = f64::midpoint(ego.footprint.length, actor.length);
-        let ahead = start.s - ego.s;
-        if ahead < -reach {
-            return Reaction::NoDanger;
-        }
-        let half_widths = f64::midpoint(ego.footprint.width, actor.width);
-        let Some(window) = self.overlap(&start, ego.d, half_widths) else {
-            return Reaction::NoDanger;
-        };
-        let speed = Start::new(ego.speed, ego.accel);
-        let braking =
-            |start, onset, decel| Course::braking(start, onset, Brakes { decel, jerk: None });
-        let other = Start::new(start.speed, 0.0);
-        let (actor_near, actor_far) = (
-            braking(other, 0.0, self.most_decel),
-            braking(other, 0.0, self.least_decel),
-        );
-        largest_clear(|onset| {
-            let far = braking(speed, onset, self.least_decel);
-            let near = braking(speed, onset, self.most_decel);
-            far.stays_behind(&actor_near, ahead, reach, window)
-                || actor_far.stays_behind(&near, -ahead, reach, window)
+        at_start(future, |start| {
+            let reach = f64::midpoint(ego.footprint.length, actor.length);
+            let ahead = start.s - ego.s;
+            if ahead < -reach {
+                return None;
+            }
+            let half_widths = f64::midpoint(ego.footprint.width, actor.width);
+            let window = self.overlap(start, ego.d, half_widths)?;
+            let speed = Start::new(ego.speed, ego.accel);
+            let braking =
+                |start, onset, decel| Course::braking(start, onset, Brakes { decel, jerk: None });
+            let other = Start::new(start.speed, 0.0);
+            let (actor_near, actor_far) = (
+                braking(other, 0.0, self.most_decel),
+                braking(other, 0.0, self.least_decel),
+            );
+            Some(largest_clear(|onset| {
+                let far = braking(speed, onset, self.least_decel);
+                let near = braking(speed, onset, self.most_decel);
+                far.stays_behind(&actor_near, ahead, reach, window)
+                    || actor_far.stays_behind(&near, -ahead, reach, window)
+            }))
         })
     }
 }

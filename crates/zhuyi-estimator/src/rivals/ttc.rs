@@ -16,7 +16,7 @@
 //! brake, and that a standing obstacle at 30 m/s needs more than 2 s.
 
 use super::cut_in_rule::within;
-use super::{Approach, Lane};
+use super::{Approach, Lane, at_start};
 use crate::{Ego, Future, Reaction, SafetyModel};
 use zhuyi_core::Footprint;
 
@@ -56,13 +56,12 @@ impl SafetyModel for TtcThreshold {
     /// assert_eq!(TtcThreshold::default().reaction(&ego, car, &future), Reaction::Within(1.0));
     /// ```
     fn reaction(&self, ego: &Ego, actor: Footprint, future: &Future<'_>) -> Reaction {
-        let Some(start) = future.start() else {
-            return Reaction::NoDanger;
-        };
-        let approach = Approach::new(ego, actor, &start);
-        match self.lane.time_to_collision(&approach, ego.footprint.width) {
-            None => Reaction::NoDanger,
-            Some(collision) => within(collision - self.threshold),
-        }
+        at_start(future, |start| {
+            let approach = Approach::new(ego, actor, start);
+            let collision = self
+                .lane
+                .time_to_collision(&approach, ego.footprint.width)?;
+            Some(within(collision - self.threshold))
+        })
     }
 }

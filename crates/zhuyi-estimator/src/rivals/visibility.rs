@@ -20,7 +20,7 @@
 //! the model: that the actor moves, so it is strict behind one that drives on and lenient before one that comes closer.
 
 use super::cut_in_rule::within;
-use super::{Approach, Lane};
+use super::{Approach, Lane, at_start};
 use crate::{Ego, Future, Reaction, SafetyModel};
 use zhuyi_core::Footprint;
 
@@ -61,21 +61,18 @@ impl SafetyModel for VisibilityBudget {
     }
 
     fn reaction(&self, ego: &Ego, actor: Footprint, future: &Future<'_>) -> Reaction {
-        let Some(start) = future.start() else {
-            return Reaction::NoDanger;
-        };
-        let approach = Approach::new(ego, actor, &start);
-        if ego.speed <= 0.0 || approach.gap < 0.0 {
-            return Reaction::NoDanger;
-        }
-        let limit = self.lane.edge_gap(ego.footprint.width);
-        let covered = approach.gap / ego.speed;
-        let until = approach
-            .time_to_collision()
-            .map_or(covered, |ttc| ttc.max(covered));
-        match approach.time_to_edge_gap(limit) {
-            Some(entry) if entry <= until => within(self.at(ego.speed, approach.gap)),
-            _ => Reaction::NoDanger,
-        }
+        at_start(future, |start| {
+            let approach = Approach::new(ego, actor, start);
+            if ego.speed <= 0.0 || approach.gap < 0.0 {
+                return None;
+            }
+            let limit = self.lane.edge_gap(ego.footprint.width);
+            let covered = approach.gap / ego.speed;
+            let until = approach
+                .time_to_collision()
+                .map_or(covered, |ttc| ttc.max(covered));
+            let entry = approach.time_to_edge_gap(limit)?;
+            (entry <= until).then(|| within(self.at(ego.speed, approach.gap)))
+        })
     }
 }

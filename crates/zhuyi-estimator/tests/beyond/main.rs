@@ -1,9 +1,11 @@
 //! The options that go beyond the paper, from outside: worked by hand, and laws.
 //!
 //! - `uncertainty`: what is not known exactly shrinks the gap;
-//! - `phantom`: what nobody sees;
+//! - `phantom`: the nearest place that nobody sees;
+//! - `edges`: every one of them, against a plain scan of the path;
 //! - `evasion`: to the side instead of braking, against a plain scan of its rule.
 
+mod edges;
 mod evasion;
 mod phantom;
 #[path = "../model/scene.rs"]

@@ -1,18 +1,18 @@
-//! Phantoms: where nobody looks, by hand, and laws.
+//! Phantoms: the nearest place where nobody looks, by hand, and laws. All of them: `edges`.
 
 use crate::scene::L0;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use zhuyi_core::{Body, Camera, Footprint, Frenet, Pose};
 use zhuyi_estimator::phantom::visible_share;
-use zhuyi_estimator::{Ego, Estimator, Params, PhantomParams, State, Surroundings, Watch};
+use zhuyi_estimator::{Ego, Estimator, Params, Phantom, PhantomParams, State, Surroundings, Watch};
 
-const CAR: Footprint = Footprint {
+pub const CAR: Footprint = Footprint {
     length: 4.8,
     width: 1.9,
 };
 
-fn front(range: f64) -> Camera {
+pub fn front(range: f64) -> Camera {
     Camera {
         name: "front".into(),
         forward: 1.8,
@@ -24,14 +24,14 @@ fn front(range: f64) -> Camera {
     }
 }
 
-fn watch(camera: &Camera) -> Watch<'_> {
+pub fn watch(camera: &Camera) -> Watch<'_> {
     Watch {
         camera,
         current_latency: L0,
     }
 }
 
-fn body(footprint: Footprint, s: f64, d: f64, speed: f64) -> Body {
+pub fn body(footprint: Footprint, s: f64, d: f64, speed: f64) -> Body {
     Body {
         footprint,
         road: Frenet { s, d },
@@ -43,13 +43,21 @@ fn body(footprint: Footprint, s: f64, d: f64, speed: f64) -> Body {
     }
 }
 
-/// [m] where the phantom's rear bumper is on a straight road.
-fn rear(ego: &Body, bodies: &[Body], cameras: &[&Camera], params: &PhantomParams) -> Option<f64> {
+/// [m] where the phantoms' rear bumpers are on a straight road.
+pub fn rears(ego: &Body, bodies: &[Body], cameras: &[&Camera], params: &PhantomParams) -> Vec<f64> {
     let rig: Vec<Watch<'_>> = cameras.iter().copied().map(watch).collect();
     let path = |s: f64| Pose::new(s, ego.road.d, 0.0);
-    let found = Surroundings { ego, bodies, path }.phantom(&rig, params)?;
-    assert_eq!(found.pose.x, found.s);
-    Some(found.s - params.footprint.length / 2.0)
+    let around = Surroundings { ego, bodies, path };
+    let rear = |found: Phantom| {
+        assert_eq!(found.pose.x, found.s);
+        found.s - params.footprint.length / 2.0
+    };
+    around.phantoms(&rig, params).map(rear).collect()
+}
+
+/// [m] that of the nearest.
+fn rear(ego: &Body, bodies: &[Body], cameras: &[&Camera], params: &PhantomParams) -> Option<f64> {
+    rears(ego, bodies, cameras, params).first().copied()
 }
 
 /// A thin board 20 m ahead, 2 m wide. With its right edge 0.1 m to the right of the line of sight more than half of what
@@ -145,7 +153,8 @@ fn hand_a_bend_hides_what_is_around_it() {
         bodies: &[wall],
         path,
     }
-    .phantom(&[watch(&camera)], &PhantomParams::default())
+    .phantoms(&[watch(&camera)], &PhantomParams::default())
+    .next()
     .unwrap();
     // ... inside of the box's place: at least half of it is behind the wall from there on and less half a metre before.
     let share = |s: f64| visible_share(&camera, ego.pose, CAR, path(s), &[wall]);
@@ -172,7 +181,7 @@ proptest! {
         let estimator = Estimator::new(Params::default());
         let start = Ego { s: 0.0, d: 0.0, speed, accel: 0.0, footprint: CAR };
         let asked = |headway: f64| {
-            let phantom = around.phantom(&[watch(&camera)], &PhantomParams { headway, ..PhantomParams::default() }).unwrap();
+            let phantom = around.phantoms(&[watch(&camera)], &PhantomParams { headway, ..PhantomParams::default() }).next().unwrap();
             let estimate = estimator.trajectory(&start, CAR, &phantom.future(), L0);
             let tolerated = match estimate.state {
                 State::None | State::Tolerable => estimate.latency.unwrap(),
@@ -198,7 +207,7 @@ proptest! {
         let bodies: Vec<Body> = others.into_iter().map(place).collect();
         let path = |s: f64| Pose::new(s, 0.0, 0.0);
         let params = PhantomParams::default();
-        let found = Surroundings { ego: &ego, bodies: &bodies, path }.phantom(&[watch(&camera)], &params).unwrap();
+        let found = Surroundings { ego: &ego, bodies: &bodies, path }.phantoms(&[watch(&camera)], &params).next().unwrap();
         let taken = |s: f64| bodies.iter().any(|body| body.road.d.abs() < 1.9 && (body.road.s - s).abs() < 4.8 - 1e-9);
         let share = |s: f64| visible_share(&camera, ego.pose, CAR, path(s), &bodies);
         prop_assert!(!taken(found.s));

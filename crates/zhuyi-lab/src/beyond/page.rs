@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use zhuyi_estimator::grid::MAX_FPR;
 use zhuyi_scenario::Scenario;
 
-use super::{COUNT, Peak, VARIANTS, highest};
+use super::{COUNT, Edges, PHANTOMS, Peak, VARIANTS, highest};
 use crate::mrf::Required;
 use crate::reproduce::Plan;
 use crate::statistics::mean;
@@ -16,8 +16,9 @@ const EXPLAINED: &str = "\
 - uncertainty: the gap shrinks by 2.326 standard deviations of a track that is carried on without a frame for the latency asked \
 for; the track is that of the default tracker in its steady state. First sight: of the same tracker after a single frame, for \
 every actor all the time.
-- phantom: a car stands at the nearest place of the ego's path that no camera sees, right before the bumper of whoever hides it. \
-2 s: who hides it keeps two seconds to it.
+- phantom: a car stands wherever, along the ego's path, something that no camera sees begins: right before the bumper of whoever \
+hides it, around a bend, at the limit of the range. It counts for the cameras that look there. 2 s: who hides it keeps two seconds \
+to it.
 - evasion: after the reaction time the ego brakes or, where a side is free, moves sideways at 5 m/s2, whichever tolerates more.
 ";
 
@@ -26,7 +27,33 @@ fn mean_largest(peaks: &[[Peak; COUNT]], variant: usize) -> Option<f64> {
     mean(&largest)
 }
 
-pub(super) fn markdown(plan: &Plan, required: &[Required], peaks: &[Vec<[Peak; COUNT]>]) -> String {
+/// How many phantoms there were.
+fn edges_table(plan: &Plan, edges: &[[Edges; PHANTOMS.len()]]) -> String {
+    let mut header = cells(&["scenario"]);
+    for variant in PHANTOMS.map(|variant| VARIANTS[variant]) {
+        header.extend([
+            format!("{variant}: mean / most"),
+            "not the nearest".to_string(),
+        ]);
+    }
+    let row = |(scenario, edges): (&Scenario, &[Edges; PHANTOMS.len()])| {
+        let mut row = vec![scenario.name.clone()];
+        for of in edges {
+            row.push(format!("{:.2} / {}", of.mean(), of.most));
+            row.push(format!("{} of {}", of.further, of.steps));
+        }
+        row
+    };
+    let rows: Vec<_> = plan.scenarios.iter().zip(edges).map(row).collect();
+    markdown_table(&header, &rows)
+}
+
+pub(super) fn markdown(
+    plan: &Plan,
+    required: &[Required],
+    peaks: &[Vec<[Peak; COUNT]>],
+    edges: &[[Edges; PHANTOMS.len()]],
+) -> String {
     let estimate = |place: usize, variant: usize| {
         let Some(largest) = mean_largest(&peaks[place], variant) else {
             return "N/A".to_string();
@@ -85,11 +112,15 @@ pub(super) fn markdown(plan: &Plan, required: &[Required], peaks: &[Vec<[Peak; C
          highest rate alone.\n\n\
          ## Largest change at one step\n\n{}\nIn FPR, up or down, of the demand on an analysed camera against the paper's model.\n\n\
          ## Steps at which no rate of the grid was enough\n\n{}\nOf 10 ms, all seeds together: at which only to react at once would do \
-         / at which even that comes too late.\n",
+         / at which even that comes too late.\n\n\
+         ## Phantoms at a step\n\n{}\nAlong the path of the run of seed 0, every 100 ms. Not the nearest: steps at which some camera, \
+         analysed or not, has one of them in view but not the nearest of all. At the others the phantoms behind the nearest change nothing: \
+         a camera is asked for most by the nearest in its view.\n",
         table(&estimate),
         table(&fraction),
         table(&change),
-        table(&steps)
+        table(&steps),
+        edges_table(plan, edges)
     );
     text
 }

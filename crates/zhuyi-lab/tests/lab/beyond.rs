@@ -62,7 +62,18 @@ fn hand_a_phantom_asks_before_the_obstacle_is_in_sight() {
     // 6 FPR are needed; without a phantom the camera is asked for the least.
     assert_eq!(before(0), 1.0);
     assert!(before(1) >= 6.0 && before(2) > 1.0);
-    for words in ["## Largest estimate", "cut-out-fast", "first sight"] {
+    // The lead hides something, and so does the obstacle that it leaves behind in its lane. Two front cameras look at both.
+    let [edge, kept] = found.edges[0];
+    for edges in [edge, kept] {
+        assert_eq!((edges.most, edges.further), (2, 0));
+        assert!(edges.phantoms > edges.steps, "{edges:?}");
+    }
+    for words in [
+        "## Largest estimate",
+        "## Phantoms at a step",
+        "cut-out-fast",
+        "first sight",
+    ] {
         assert!(found.text.contains(words), "{words}");
     }
 }

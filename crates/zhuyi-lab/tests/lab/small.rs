@@ -92,7 +92,8 @@ pub fn records(plan: &Plan, came: &[Came]) -> Vec<Record> {
             frames: vec![
                 Frames {
                     exposed: 10,
-                    processed: 9
+                    processed: 9,
+                    dropped: 0,
                 };
                 cameras
             ],

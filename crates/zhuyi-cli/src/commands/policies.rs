@@ -1,0 +1,76 @@
+//! Policies and budgets as typed: a budget is in frames per second, or in TOPS of an accelerator.
+
+use zhuyi_scenario::System;
+use zhuyi_scheduler::{CameraState, Chip, Compute, Demands, Policy, Situation, policy};
+
+use crate::argument::Argument;
+use crate::fault::Fault;
+use crate::problems::Problems;
+
+/// The policy of a name.
+pub fn named(name: &str, problems: &mut Problems) -> Option<Box<dyn Policy>> {
+    policy(name)
+        .map_err(|error| {
+            let argument = Argument::new("--policy", name);
+            argument.refuse(&argument.all(), Fault::Policy(error), problems);
+        })
+        .ok()
+}
+
+/// Notes it where a policy with rates of its own names cameras that the rig does not have, or more frames than the budget
+/// has. Programs are not asked.
+pub fn look_at(name: &str, budget: f64, system: &System, problems: &mut Problems) {
+    if !name.starts_with("static:") {
+        return;
+    }
+    let Some(mut policy) = named(name, problems) else {
+        return;
+    };
+    let eyes = system.perception.eyes.iter();
+    let cameras: Vec<CameraState<'_>> = eyes
+        .map(|eye| CameraState {
+            name: &eye.camera.name,
+            rate: 1.0,
+            demands: Demands::all(1.0),
+            importance: 1.0,
+        })
+        .collect();
+    let situation = Situation {
+        time: 0.0,
+        budget,
+        ego_speed: 0.0,
+        cameras: &cameras,
+    };
+    if let Err(error) = policy.decide(&situation, &mut vec![0.0; cameras.len()]) {
+        let argument = Argument::new("--policy", name);
+        argument.refuse(&argument.all(), Fault::Unfit(error.to_string()), problems);
+    }
+}
+
+/// What a policy may spend.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Budget {
+    /// [Hz] frames per second over all cameras.
+    Fps(f64),
+    /// [TOPS] speed of the accelerator for which they queue.
+    Tops(f64),
+}
+
+impl Budget {
+    /// [Hz] the frames per second that a policy may share. A budget in TOPS gives the system an accelerator of that
+    /// speed, in all else its own or the usual one.
+    pub fn of(self, system: &mut System) -> f64 {
+        match self {
+            Self::Fps(fps) => fps,
+            Self::Tops(tops) => {
+                let chip = match system.compute {
+                    Compute::Accelerator(chip) => chip,
+                    Compute::Ideal => Chip::default(),
+                };
+                let chip = Chip { tops, ..chip };
+                system.compute = Compute::Accelerator(chip);
+                chip.capacity()
+            }
+        }
+    }
+}

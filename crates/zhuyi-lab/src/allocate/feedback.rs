@@ -1,0 +1,120 @@
+//! What the demand does to itself where l_0 is taken literally, as the latency at which the camera runs now (reading R22).
+//!
+//! ```text
+//! t_r = l + K max(0, l - l_0),   l_0 = 1/f,   f = the demand of the decision before
+//! ```
+//!
+//! A camera that runs slowly has a large l_0, so that the K frames of confirmation seem to cost nothing, and a larger l
+//! is tolerable: the rate falls, l_0 grows with it, until the term is gone. A new actor then takes K frames at that slow
+//! rate to be confirmed, which nobody has asked about. The drives are those of [`POLICY`], which gives each camera its
+//! demand and no more, under both readings of l_0.
+
+use rayon::prelude::*;
+use zhuyi_scenario::System;
+use zhuyi_scheduler::{PolicyError, policy};
+use zhuyi_sim::{Allocation, Scheduled};
+
+use super::drive::{Driven, drive};
+use super::tally::Tally;
+use super::{Allocating, Budgets};
+use crate::beyond::{Comparison, Line};
+use crate::progress::Progress;
+
+/// Who drives for the figure: rates are what is asked for, in full.
+pub const POLICY: &str = "demand-only";
+
+/// Who drives for the table: at the budgets of the plan.
+pub const IN_TABLE: &str = "demand-hysteresis";
+
+/// [Hz] enough for 30 on each of five cameras and more.
+const PLENTY: f64 = 1e4;
+
+/// Both readings of l_0.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Feedback {
+    /// The demand on the first analysed camera over the drive in which both differ the most.
+    pub comparison: Comparison,
+    /// Collisions of [`IN_TABLE`] at each budget, with l_0 fixed and literal.
+    pub collisions: Vec<(f64, [Tally; 2])>,
+}
+
+/// None where budgets are those of an accelerator.
+pub(super) fn feedback(
+    plan: &Allocating,
+    progress: &dyn Progress,
+) -> Result<Option<Feedback>, PolicyError> {
+    let Budgets::Fps(budgets) = &plan.budgets else {
+        return Ok(None);
+    };
+    let systems = [Some(1.0 / 30.0), None].map(|l_0| {
+        let mut system = plan.system.clone();
+        system.online.current_latency = l_0;
+        system
+    });
+    let drives = plan.drives();
+    progress.start(
+        "drives with the literal l_0",
+        (budgets.len() * systems.len() * drives.len()) as u64,
+    );
+    let tally = |budget: f64, system: &System| -> Result<Tally, PolicyError> {
+        let one = |(scenario, seed): &(usize, u64)| {
+            let draws = plan.draws(*scenario, *seed);
+            let scenario = &plan.scenarios[*scenario];
+            let driven = drive(scenario, system, draws, (IN_TABLE, budget), &[]);
+            progress.step();
+            driven
+        };
+        let driven: Result<Vec<Driven>, _> = drives.par_iter().map(one).collect();
+        Ok(Tally::of(driven?.iter(), system.perception.eyes.len()))
+    };
+    let collisions = budgets
+        .iter()
+        .map(|budget| {
+            let [fixed, literal] = &systems;
+            Ok((*budget, [tally(*budget, fixed)?, tally(*budget, literal)?]))
+        })
+        .collect::<Result<_, PolicyError>>()?;
+    Ok(Some(Feedback {
+        comparison: comparison(plan, &systems)?,
+        collisions,
+    }))
+}
+
+/// The drives of seed 0 in which the demands under both readings lie furthest apart in the mean over the time that both
+/// last.
+fn comparison(plan: &Allocating, systems: &[System; 2]) -> Result<Comparison, PolicyError> {
+    let eyes = &plan.system.perception.eyes;
+    let camera = eyes.iter().position(|eye| eye.camera.analysed);
+    let camera = camera.unwrap_or_default();
+    let points = |scenario: usize, system: &System| -> Result<Vec<(f64, f64)>, PolicyError> {
+        let allocation = Allocation {
+            policy: policy(POLICY).unwrap_or_else(|unknown| panic!("{unknown}")),
+            budget: PLENTY,
+        };
+        let draws = plan.draws(scenario, 0);
+        let scenario = &plan.scenarios[scenario];
+        let (_, asked) = Scheduled::new(scenario, system, draws, allocation).run()?;
+        let point = |asked: &zhuyi_sim::Asked| (asked.time.seconds(), asked.demands[camera].fpr);
+        Ok(asked.iter().map(point).collect())
+    };
+    let mut furthest: Option<(f64, usize, [Vec<(f64, f64)>; 2])> = None;
+    for scenario in 0..plan.scenarios.len() {
+        let [fixed, literal] = systems;
+        let lines = [points(scenario, fixed)?, points(scenario, literal)?];
+        let pairs = lines[0].iter().zip(&lines[1]);
+        let count = pairs.len().max(1) as f64;
+        let apart = pairs.map(|(a, b)| (a.1 - b.1).abs()).sum::<f64>() / count;
+        if furthest.as_ref().is_none_or(|(most, ..)| apart > *most) {
+            furthest = Some((apart, scenario, lines));
+        }
+    }
+    let (_, scenario, [fixed, literal]) = furthest.unwrap_or_default();
+    let line = |name, points| Line { name, points };
+    Ok(Comparison {
+        option: "feedback",
+        scenario: plan.scenarios[scenario].name.clone(),
+        camera: eyes[camera].camera.name.clone(),
+        lines: vec![line("l_0 = 1/30 s", fixed), line("l_0 = 1/rate", literal)],
+        marks: Vec::new(),
+    })
+}
