@@ -29,7 +29,7 @@
 
 mod chain;
 
-use zhuyi_core::{ActorId, SimTime};
+use zhuyi_core::{ActorId, Manoeuvre, SimTime};
 use zhuyi_scenario::{Scenario, System};
 
 use crate::outcome::{Outcome, Run};
@@ -132,6 +132,8 @@ pub struct Waterfall {
     pub cause: Cause,
     /// All stages, in order.
     pub steps: [Step; 7],
+    /// When, from the step of planned on, the planner first left its lane to evade, with which the brakes may never come on.
+    pub evading_from: Option<SimTime>,
     /// [m] from bumper to bumper along the road when the actor was exposed; negative where they were side by side.
     pub gap: Option<f64>,
     /// [m] covered by the actor along the road from exposed to contact.
@@ -166,6 +168,12 @@ impl Waterfall {
                 speed: at.map(|(_, speed)| speed),
             }
         });
+        let evades = |row: &Row<'_>| row.command.manoeuvre == Manoeuvre::Evade;
+        let evading_from = times[4].and_then(|planned| {
+            let mut rows = run.trace.rows();
+            let row = rows.find(|row| row.time >= planned && evades(row));
+            row.map(|row| row.time)
+        });
         let row = times[0].and_then(|time| run.trace.rows().find(|row| row.time >= time));
         let other = |row: &Row<'_>| row.actors[collision.actor.index()];
         let last = run.trace.rows().last();
@@ -173,6 +181,7 @@ impl Waterfall {
             actor: collision.actor,
             cause,
             steps,
+            evading_from,
             gap: row.map(|row| other(&row).rear() - row.ego.front()),
             actor_metres: row.zip(last).map(|(row, last)| {
                 let rest = (collision.time - last.time).seconds();

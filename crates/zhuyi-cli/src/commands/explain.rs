@@ -32,7 +32,7 @@ policy the budget in steps of 5 % instead of rates and latency. Of each the chan
 told, and the one that is smallest in relation to what it was is marked. For a policy exec:COMMAND nothing is tried.
 
 The JSON document has the names of this text with their units: scenario, seed, root_seed, command, collision (null without one), \
-smallest_gap_m, smallest_ttc_s, hardest_braking_mps2, told, waterfall (cause, actor, gap_m, actor_metres_m, metres_m, stages: \
+smallest_gap_m, smallest_ttc_s, hardest_braking_mps2, told, waterfall (cause, actor, evading_from_s, gap_m, actor_metres_m, metres_m, stages: \
 stage, time_s, took_s, metres_m, speed_mps), changes (what, unit, from, to, relative, limit, tried, best, command).")]
 pub struct Arguments {
     /// A scenario's name (see zhuyi list) or the path of a .ron file

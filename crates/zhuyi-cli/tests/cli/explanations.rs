@@ -105,6 +105,7 @@ fn hand_the_stages_of_the_cut_out_at_five_frames_per_second() {
     let waterfall = &explained["waterfall"];
     assert_eq!(waterfall["cause"], "came_into_sight");
     assert_eq!(waterfall["actor"], "obstacle");
+    assert!(waterfall["evading_from_s"].is_null());
     let stages = waterfall["stages"].as_array().unwrap();
     let names: Vec<&str> = stages
         .iter()
@@ -146,6 +147,27 @@ fn hand_the_stages_of_the_cut_out_at_five_frames_per_second() {
     ] {
         assert!(text.contains(told), "{told} is not in\n{text}");
     }
+}
+
+#[test]
+fn law_an_evasion_that_failed_is_told_with_the_time_of_the_run() {
+    let bench = Bench::new();
+    let line = "challenging-cut-in-curved --fpr 1 --seed 0";
+    let run = json(&bench, &format!("run {line}"));
+    let explained = json(&bench, &format!("explain {line}"));
+    let from = &explained["waterfall"]["evading_from_s"];
+    assert!(from.is_f64() && *from == run["evading_from_s"], "{from}");
+    let told = explained["told"].as_str().unwrap();
+    assert!(
+        told.contains("became dangerous") && told.contains("left its lane to evade"),
+        "{told}"
+    );
+    // What was decided on is one thing, how it was carried out another: braking gave way to the evasion.
+    assert_eq!(explained["waterfall"]["stages"][5]["time_s"], Value::Null);
+    assert_eq!(
+        explained["waterfall"]["stages"][4]["time_s"],
+        run["hard_braking_from_s"]
+    );
 }
 
 #[test]

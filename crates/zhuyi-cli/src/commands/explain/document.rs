@@ -51,6 +51,8 @@ pub struct Waterfall {
     pub actor_metres_m: Option<f64>,
     /// [m] that the ego drove from then on.
     pub metres_m: f64,
+    /// [s] when the planner first left its lane to evade.
+    pub evading_from_s: Option<f64>,
     /// All seven, in order.
     pub stages: Vec<Reached>,
 }
@@ -130,6 +132,7 @@ fn staged(asked: &Run, waterfall: &zhuyi_sim::Waterfall) -> Waterfall {
         stages: stages.collect(),
         cause: waterfall.cause.name(),
         actor: name(asked, waterfall).to_string(),
+        evading_from_s: waterfall.evading_from.map(seconds),
         gap_m: waterfall.gap,
         actor_metres_m: waterfall.actor_metres,
         metres_m: waterfall.metres(),
@@ -163,8 +166,12 @@ fn told(asked: &Run, waterfall: &zhuyi_sim::Waterfall) -> String {
     } else {
         format!("drove {moved:.1} m")
     };
+    let evades = waterfall.evading_from.map(seconds);
+    let evades = evades.map_or(String::new(), |from| {
+        format!(" From {from:.2} s on the ego left its lane to evade, for which it need not brake.")
+    });
     format!(
-        "`{actor}` {began} at {exposed:.2} s, {wherein}; until the contact the ego drove {:.1} m and `{actor}` {moved}.",
+        "`{actor}` {began} at {exposed:.2} s, {wherein}; until the contact the ego drove {:.1} m and `{actor}` {moved}.{evades}",
         waterfall.metres()
     )
 }
