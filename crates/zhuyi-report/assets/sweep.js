@@ -14,7 +14,8 @@ function showRun(place) {
 
 function gridOf(scenario, shown) {
   const table = element("table", undefined, "grid");
-  header(table, [["FPR", 1], ["collided", 1], ["by seed, from 0 on"], ["largest impact [m/s]", 1], ["smallest gap without [m]", 1], ["estimate [FPR]", 1]]);
+  const every = scenario.rates.some((rate) => rate.cells.length > 0);
+  header(table, [["FPR", 1], ["collided", 1], [every ? "by rising seed" : "share"], ["largest impact [m/s]", 1], ["smallest gap without [m]", 1], ["estimate [FPR]", 1]]);
   scenario.rates.forEach((rate) => {
     const row = element("tr");
     row.dataset.fpr = rate.fpr;
@@ -44,7 +45,7 @@ function gridOf(scenario, shown) {
       element("td", String(rate.fpr), "number"),
       element("td", `${rate.collided} of ${rate.runs}`, rate.collided > 0 ? "number bad" : "number"),
       cells,
-      element("td", figure(rate.largest_impact_mps, 2), "number"),
+      element("td", figure(rate.largest_impact_mps, 1), "number"),
       element("td", figure(rate.smallest_gap_m, 2), "number"),
       element("td", figure(rate.estimate_fpr, 2), "number"),
     );

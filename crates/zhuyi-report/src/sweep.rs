@@ -268,7 +268,7 @@ fn told(row: &Row) -> String {
     match &row.collision {
         Some(contact) => {
             let impact = match contact.impact {
-                Some(impact) => format!(" at {impact:.2} m/s"),
+                Some(impact) => format!(" at {impact:.1} m/s"),
                 None => String::new(),
             };
             format!(
