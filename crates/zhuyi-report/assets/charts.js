@@ -81,6 +81,8 @@ class Charts {
       }
     }).observe(box);
     this.plots.push(plot);
+    // A plot has no scales before its first microtask.
+    this.followLater(plot);
   }
 
   listen(plot) {

@@ -125,7 +125,12 @@ impl Browser {
 
     /// Opens a file and waits until its report is drawn.
     pub fn open(&mut self, file: &Path) {
-        let url = format!("file://{}", file.display());
+        self.open_at(file, "");
+    }
+
+    /// The same with a part of the address behind the file's.
+    pub fn open_at(&mut self, file: &Path, part: &str) {
+        let url = format!("file://{}{part}", file.display());
         self.call("Page.navigate", &json!({"url": url}));
         self.wait("document.readyState === 'complete' && document.getElementById('time')?.textContent !== ''");
     }

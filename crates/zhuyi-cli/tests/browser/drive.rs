@@ -38,6 +38,17 @@ fn opened() -> Option<(Browser, Trace, tempfile::TempDir)> {
     Some((browser, trace(folder.path()), folder))
 }
 
+/// The time that each chart tells, in its own words.
+fn charts(browser: &mut Browser) -> Vec<String> {
+    let shown = browser.value(
+        "[...document.querySelectorAll('.chart')].map((chart) => chart.querySelector('.u-series .u-value').textContent)",
+    );
+    let texts = shown.as_array().unwrap().iter();
+    texts
+        .map(|text| text.as_str().unwrap().to_string())
+        .collect()
+}
+
 /// Reads time and vehicles off the page and compares with the trace. Returns the time in milliseconds.
 fn compare(browser: &mut Browser, trace: &Trace) -> i64 {
     let time = (browser.number("#time") * 1e3).round() as i64;
@@ -86,6 +97,27 @@ fn law_a_report_shows_what_was_true_wherever_it_is_moved_to() {
     browser.key("End", "End");
     let last = trace.keys().map(|(time, _)| *time).max().unwrap();
     assert_eq!(compare(&mut browser, &trace), last);
+    assert_eq!(browser.errors(), Vec::<String>::new());
+}
+
+#[test]
+fn law_a_report_is_opened_at_the_time_that_its_address_tells() {
+    let Some((mut browser, trace, folder)) = opened() else {
+        return;
+    };
+    let file = folder.path().join("drive.html");
+    // A fresh page, not the same one moved.
+    browser.call("Page.navigate", &serde_json::json!({"url": "about:blank"}));
+    browser.open_at(&file, "#t=8.7");
+    assert_eq!(compare(&mut browser, &trace), 8_700);
+    let shown = charts(&mut browser);
+    assert!(
+        shown.len() > 10 && shown.iter().all(|text| text == "8.70 s"),
+        "{shown:?}"
+    );
+    browser.value("void (location.hash = '#t=3.21')");
+    browser.wait("document.getElementById('time').textContent === '3.21 s'");
+    assert_eq!(compare(&mut browser, &trace), 3_210);
     assert_eq!(browser.errors(), Vec::<String>::new());
 }
 
@@ -171,13 +203,11 @@ fn law_beliefs_demands_and_the_collision_are_told_as_the_drive_told_them() {
     browser.value(
         "(() => { const span = document.getElementById('window'); span.value = '3'; span.dispatchEvent(new Event('change')); })()",
     );
-    let shown = browser.value(
-        "[...document.querySelectorAll('.chart')].map((chart) => chart.querySelector('.u-series .u-value').textContent)",
-    );
     let wanted = format!("{:.2} s", time as f64 / 1e3);
+    let shown = charts(&mut browser);
     assert!(
-        shown.as_array().unwrap().iter().all(|text| *text == wanted),
-        "{shown}, not {wanted}"
+        shown.iter().all(|text| *text == wanted),
+        "{shown:?}, not {wanted}"
     );
     assert_eq!(browser.errors(), Vec::<String>::new());
 }
