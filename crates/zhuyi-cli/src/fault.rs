@@ -64,6 +64,16 @@ pub enum Fault {
         /// What was typed.
         got: u64,
     },
+    /// More combinations than can be kept, or none.
+    #[error("{rates} rates on {cameras} analysed cameras must make 1 to {most} combinations")]
+    ManyCombinations {
+        /// How many rates.
+        rates: usize,
+        /// How many cameras have one each.
+        cameras: usize,
+        /// How many combinations there may be.
+        most: usize,
+    },
     /// More than one rate where one is meant.
     #[error("one run has one rate for all cameras, or one for each: `30` or `front=30,left=5`")]
     ManyRates,
@@ -125,6 +135,10 @@ impl Fault {
             Self::Name(_) => Some("--output takes a path"),
             Self::Reversed { .. } => Some("the smaller number first"),
             Self::NoTable { .. } => Some("a folder that zhuyi sweep or reproduce wrote"),
+            Self::ManyCombinations { cameras: 0, .. } => {
+                Some("no camera of the system is analysed")
+            }
+            Self::ManyCombinations { .. } => Some("fewer rates, as 1:30:3"),
             Self::Policy(_) => Some("zhuyi help run lists them"),
             _ => None,
         }

@@ -210,16 +210,26 @@ impl Estimator {
         params: &PhantomParams,
         demands: &mut [Demand],
     ) {
-        let (body, footprint) = (around.ego, params.footprint);
-        let ego = Ego::from(body);
         for phantom in around.phantoms(rig, params).nearest_of_each_camera() {
-            let future = phantom.future();
-            let mut answers = Answers::default();
-            for (watch, demand) in rig.iter().zip(&mut *demands) {
-                if phantom.counts_for(watch.camera, body.pose, footprint) {
-                    let ask = |l_0: f64| self.trajectory(&ego, footprint, &future, l_0);
-                    self.add(demand, None, &answers.of(watch.current_latency, ask));
-                }
+            self.add_phantom(around.ego, &phantom, params.footprint, rig, demands);
+        }
+    }
+
+    /// What one phantom asks of a rig, likewise.
+    pub fn add_phantom(
+        &self,
+        body: &Body,
+        phantom: &Phantom,
+        footprint: Footprint,
+        rig: &[Watch<'_>],
+        demands: &mut [Demand],
+    ) {
+        let (ego, future) = (Ego::from(body), phantom.future());
+        let mut answers = Answers::default();
+        for (watch, demand) in rig.iter().zip(demands) {
+            if phantom.counts_for(watch.camera, body.pose, footprint) {
+                let ask = |l_0: f64| self.trajectory(&ego, footprint, &future, l_0);
+                self.add(demand, None, &answers.of(watch.current_latency, ask));
             }
         }
     }

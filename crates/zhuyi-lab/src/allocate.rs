@@ -12,10 +12,11 @@
 
 pub mod best_static;
 pub mod drive;
-mod feedback;
+pub mod feedback;
 mod files;
 mod page;
-mod responses;
+pub mod responses;
+pub mod smallest;
 pub mod tally;
 
 use rayon::prelude::*;
@@ -30,6 +31,7 @@ use crate::results::Results;
 use drive::Driven;
 pub use feedback::Feedback;
 pub use responses::Answered;
+pub use smallest::Smallest;
 
 /// The name under which the allocation found by search is asked for.
 pub const BEST_STATIC: &str = "best-static";
@@ -108,6 +110,8 @@ pub struct Allocated {
     pub best_static: Vec<best_static::Found>,
     /// What the responses to alarms do.
     pub answered: Vec<Answered>,
+    /// The smallest drive in which a demand that is met is too little.
+    pub smallest: Vec<Smallest>,
     /// What the literal l_0 does (reading R22).
     pub feedback: Option<Feedback>,
 }
@@ -232,6 +236,7 @@ pub fn allocate(plan: &Allocating, progress: &dyn Progress) -> Result<Allocated,
         cells: cells.chunks(budgets.len()).map(<[Cell]>::to_vec).collect(),
         best_static: found,
         answered: responses::answered(plan, progress)?,
+        smallest: smallest::smallest(plan)?,
         feedback: feedback::feedback(plan, progress)?,
     })
 }

@@ -6,11 +6,12 @@
 //!                     └──▶ [reruns] at the rates asked for ──▶ [runs] ──▶ runs.csv        [manifest] ──▶ manifest.json
 //!  Plan ──▶ [beyond]: the estimator's options beyond the paper ──▶ beyond.md, lines for figures
 //!  Plan ──▶ [robustness]: one thing changed at a time, fresh seeds ──▶ robustness.md
+//!  PerCamera ──▶ [per_camera]: a rate of its own for each camera ──▶ mrf_per_camera.md, mrf_per_camera.csv
 //!  Allocating ──▶ [allocate]: policies under budgets on the same drives ──▶ allocation.md, allocation.csv
 //!  Comparison ──▶ [compare]: all models on the same runs ──▶ compare.md, compare.csv, compare_demand.csv
 //! ```
 //!
-//! [`reproduce()`], [`robustness()`] and [`compare()`] are pure: a plan in, the texts of all files out. [`prepare`] proves before the long run
+//! [`reproduce()`], [`robustness()`], [`compare()`] and [`per_camera()`] are pure: a plan in, the texts of all files out. [`prepare`] proves before the long run
 //! that the files can be written; [`Results::write`] writes each complete or not at all, and [`Results::check`] compares.
 //!
 //! What it guarantees, each shown by a test: the same plan gives the same bytes at any number of threads; the order of the
@@ -27,6 +28,7 @@ pub mod estimators;
 pub mod manifest;
 pub mod mrf;
 pub mod paper;
+pub mod per_camera;
 pub mod progress;
 pub mod rates;
 pub mod reproduce;
@@ -44,6 +46,7 @@ pub use allocate::{Allocating, Budgets, allocate};
 pub use beyond::beyond;
 pub use compare::{Comparison, compare};
 pub use error::LabError;
+pub use per_camera::{PerCamera, per_camera};
 pub use progress::Progress;
 pub use reproduce::{Plan, reproduce};
 pub use results::{Difference, Results, prepare};

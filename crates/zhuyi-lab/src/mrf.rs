@@ -75,6 +75,30 @@ pub fn required(collisions: &[(u32, u32)]) -> Required {
     Required { mrf, safe_below }
 }
 
+/// Collisions at rates in words, neighbours with equal counts drawn together.
+///
+/// ```
+/// use zhuyi_lab::mrf::told;
+/// assert_eq!(told(&[(1, 10), (2, 10), (3, 10), (4, 2), (5, 0)]), "10 each at 1 to 3, 2 at 4");
+/// assert_eq!(told(&[(1, 0)]), "none");
+/// ```
+pub fn told(collisions: &[(u32, u32)]) -> String {
+    let runs = collisions.chunk_by(|(_, one), (_, two)| one == two);
+    let told: Vec<String> = runs
+        .filter(|run| run[0].1 > 0)
+        .map(|run| match run {
+            [(rate, count)] => format!("{count} at {rate}"),
+            [(first, count), .., (last, _)] => format!("{count} each at {first} to {last}"),
+            [] => String::new(),
+        })
+        .collect();
+    if told.is_empty() {
+        "none".to_string()
+    } else {
+        told.join(", ")
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -11,7 +11,7 @@ use zhuyi_estimator::Estimator;
 use zhuyi_perception::Eye;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_sim::trace::{Row, Trace};
-use zhuyi_sim::{Draws, Extremes, Frames, Hindsight, Outcome, Peaks, Simulation};
+use zhuyi_sim::{Draws, Extremes, Frames, Hindsight, Outcome, Peaks, Run, Simulation};
 use zhuyi_world::Side;
 
 pub use crate::estimators::estimator;
@@ -117,15 +117,25 @@ impl Experiment<'_> {
         cells.par_iter().map(one).collect()
     }
 
-    /// Runs one cell.
-    pub fn record(&self, cell: &Cell, estimators: &[Estimator]) -> Record {
+    /// Whether the run of a cell collides, and nothing else about it.
+    pub fn collides(&self, cell: &Cell) -> bool {
+        self.drive(cell).collided()
+    }
+
+    fn drive(&self, cell: &Cell) -> Run {
         let scenario = &self.scenarios[cell.scenario];
         let draws = Draws {
             root: self.root_seed,
             scenario: &scenario.name,
             seed: cell.seed,
         };
-        let run = Simulation::new(scenario, self.system, &cell.rates, draws).run();
+        Simulation::new(scenario, self.system, &cell.rates, draws).run()
+    }
+
+    /// Runs one cell.
+    pub fn record(&self, cell: &Cell, estimators: &[Estimator]) -> Record {
+        let scenario = &self.scenarios[cell.scenario];
+        let run = self.drive(cell);
         let collision = match &run.outcome {
             Outcome::Completed => None,
             Outcome::Collision(collision) => Some(Collision::from(collision)),

@@ -53,6 +53,15 @@ pub(crate) fn counted(count: impl Into<u64>, one: &str) -> String {
     }
 }
 
+/// `a, b and c`.
+pub(crate) fn listed(parts: &[String]) -> String {
+    match parts {
+        [] => String::new(),
+        [only] => only.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
 /// Rates in ascending order, neighbours drawn together: `1 to 10, 15, 30`.
 pub(crate) fn spans(rates: &[u32]) -> String {
     let spans = rates.chunk_by(|a, b| a + 1 == *b).map(|span| match span {

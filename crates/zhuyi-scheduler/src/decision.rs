@@ -149,10 +149,37 @@ impl CameraState<'_> {
     }
 }
 
+/// Which demands a policy looks at beside the paper's, so that others need not be worked out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LooksAt {
+    /// [`Demands::phantom`].
+    pub phantoms: bool,
+    /// [`Demands::rss`], [`Demands::ttc`] and [`Demands::pylot`].
+    pub rivals: bool,
+}
+
+impl LooksAt {
+    /// At all of them.
+    pub const ALL: Self = Self {
+        phantoms: true,
+        rivals: true,
+    };
+    /// At the paper's alone, or at none.
+    pub const PAPER: Self = Self {
+        phantoms: false,
+        rivals: false,
+    };
+}
+
 /// A way of sharing the budget. One object serves one run: it may remember what was.
 pub trait Policy: Send {
     /// The name under which [`crate::policy`] makes it.
     fn name(&self) -> &str;
+
+    /// Which demands it looks at beside the paper's. Those of models that it does not look at may be told as the paper's.
+    fn looks_at(&self) -> LooksAt {
+        LooksAt::ALL
+    }
 
     /// Fills `rates`, one per camera in the order of the rig. After `Ok` every rate is finite and in [floor, 30],
     /// and their sum is at most the budget (plus 1e-9).

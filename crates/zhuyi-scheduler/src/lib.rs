@@ -66,7 +66,7 @@ pub mod search;
 pub mod sharing;
 
 pub use chip::{Chip, Compute, Discipline};
-pub use decision::{CameraState, Demands, Policy, Situation};
+pub use decision::{CameraState, Demands, LooksAt, Policy, Situation};
 pub use error::PolicyError;
 pub use policies::{NAMES, UnknownPolicy, policy};
 pub use queue::{Accelerator, Queued};

@@ -23,6 +23,7 @@ pub mod simulation;
 pub mod surroundings;
 pub mod trace;
 pub mod trace_csv;
+mod uncleared;
 pub mod waterfall;
 pub mod witness;
 

@@ -11,12 +11,14 @@
 use zhuyi_core::{Body, Forecast, Frenet, Road, SimTime, Track};
 use zhuyi_estimator::rivals::Rivals;
 use zhuyi_estimator::{
-    Answer, Demand, Ego, Estimator, Future, Moment, PhantomParams, SafetyModel, Seen, Watch,
+    Answer, Demand, Ego, Estimator, Future, Moment, Phantom, PhantomParams, SafetyModel, Seen,
+    Watch,
 };
 use zhuyi_scenario::System;
-use zhuyi_scheduler::Demands;
+use zhuyi_scheduler::{Demands, LooksAt};
 
 use crate::surroundings::{believed, surroundings};
+use crate::uncleared::{Look, Uncleared};
 
 /// The estimator on what the ego believes.
 #[derive(Debug)]
@@ -26,6 +28,8 @@ pub struct Online<'a> {
     estimator: Estimator,
     rivals: Rivals,
     forecasts: Vec<Forecast>,
+    uncleared: Uncleared,
+    models: LooksAt,
 }
 
 /// What was asked of every camera at one time, in the order of the rig.
@@ -56,11 +60,26 @@ impl<'a> Online<'a> {
             estimator: Estimator::new(system.estimator.clone()),
             rivals: Rivals::default(),
             forecasts: Vec::new(),
+            uncleared: Uncleared::default(),
+            models: LooksAt::ALL,
         }
     }
 
-    /// What the ego asks for, with its cameras at `rates`.
-    pub fn ask(&mut self, time: SimTime, body: &Body, tracks: &[Track], rates: Vec<f64>) -> Asked {
+    /// Leaves out models that nobody looks at: what they ask for is told as the paper's.
+    #[must_use]
+    pub fn looked_at(self, models: LooksAt) -> Self {
+        Self { models, ..self }
+    }
+
+    /// What the ego asks for, with its cameras at `rates` [Hz], each having processed so many frames.
+    pub fn ask(
+        &mut self,
+        time: SimTime,
+        body: &Body,
+        tracks: &[Track],
+        rates: Vec<f64>,
+        processed: &[u64],
+    ) -> Asked {
         let predictor = self.system.online.predictor;
         self.forecasts.clear();
         let forecasts = tracks
@@ -111,16 +130,27 @@ impl<'a> Online<'a> {
                     }
                 }
             });
-        let by = |model: &dyn SafetyModel| self.by_model(model, &moment);
+        let paper: Vec<f64> = demands.iter().map(|demand| demand.fpr).collect();
+        let by = |model: &dyn SafetyModel| {
+            if self.models.rivals {
+                self.by_model(model, &moment)
+            } else {
+                paper.clone()
+            }
+        };
         let (rss, ttc, pylot) = (
             by(&self.rivals.rss),
             by(&self.rivals.ttc),
             by(&self.rivals.pylot),
         );
-        let with_phantoms = self.with_phantoms(body, tracks, &rig, &demands);
+        let phantom = if self.models.phantoms {
+            self.with_phantoms(body, tracks, processed, &rig, &demands)
+        } else {
+            paper.clone()
+        };
         let by_model = (0..rig.len()).map(|camera| Demands {
-            zhuyi: demands[camera].fpr,
-            phantom: with_phantoms[camera].fpr,
+            zhuyi: paper[camera],
+            phantom: phantom[camera],
             rss: rss[camera],
             ttc: ttc[camera],
             pylot: pylot[camera],
@@ -137,14 +167,16 @@ impl<'a> Online<'a> {
         }
     }
 
-    /// The demands of who is confirmed, and of who may stand where no camera sees past them.
+    /// [Hz] the demands of who is confirmed, and of who may stand where no camera sees past them, or has seen for too short a
+    /// time to tell.
     fn with_phantoms(
-        &self,
+        &mut self,
         ego: &Body,
         tracks: &[Track],
+        processed: &[u64],
         rig: &[Watch<'_>],
         demands: &[Demand],
-    ) -> Vec<Demand> {
+    ) -> Vec<f64> {
         let believed = |track: &Track| believed(track, self.road);
         let bodies: Vec<Body> = tracks.iter().map(believed).collect();
         let around = surroundings(self.road, ego, &bodies);
@@ -157,7 +189,26 @@ impl<'a> Online<'a> {
         let mut demands = demands.to_vec();
         self.estimator
             .add_phantoms(&around, rig, &params, &mut demands);
-        demands
+        self.uncleared.look(&Look {
+            road: self.road,
+            eyes: &self.system.perception.eyes,
+            ego,
+            bodies: &bodies,
+            processed,
+            params: &params,
+        });
+        let footprint = params.footprint;
+        for (watch, demand) in rig.iter().zip(&mut demands) {
+            // The nearest asks for the most.
+            let in_view =
+                |phantom: &&Phantom| phantom.counts_for(watch.camera, ego.pose, footprint);
+            if let Some(nearest) = self.uncleared.phantoms().find(in_view) {
+                let (rig, demand) = (std::slice::from_ref(watch), std::slice::from_mut(demand));
+                self.estimator
+                    .add_phantom(ego, nearest, footprint, rig, demand);
+            }
+        }
+        demands.iter().map(|demand| demand.fpr).collect()
     }
 
     /// [Hz] what another model asks of every camera: of each actor the future that is most likely.

@@ -17,7 +17,7 @@ use zhuyi_estimator::Estimator;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::safety::{Measures, falls_short};
 use zhuyi_scheduler::sharing::CAP;
-use zhuyi_scheduler::{CameraState, Demands, Discipline, Policy, PolicyError, Situation};
+use zhuyi_scheduler::{CameraState, Demands, Discipline, LooksAt, Policy, PolicyError, Situation};
 
 use crate::draws::Draws;
 use crate::offline::Hindsight;
@@ -88,6 +88,7 @@ impl<'a> Scheduled<'a> {
         let mut scheduled = Self::watching(scenario, system, &rates, draws);
         let order = Discipline::for_policy(allocation.policy.name());
         scheduled.simulation.set_discipline(order);
+        scheduled.online = scheduled.online.looked_at(allocation.policy.looks_at());
         scheduled.allocation = Some(allocation);
         scheduled
     }
@@ -102,7 +103,7 @@ impl<'a> Scheduled<'a> {
         Self {
             simulation: Simulation::new(scenario, system, rates, draws),
             system,
-            online: Online::new(system, &scenario.road),
+            online: Online::new(system, &scenario.road).looked_at(LooksAt::PAPER),
             allocation: None,
             due: SimTime::ZERO,
             asked: Vec::new(),
@@ -139,14 +140,14 @@ impl<'a> Scheduled<'a> {
     }
 
     fn decide(&mut self) -> Result<(), PolicyError> {
-        let rates = self.simulation.rates();
+        let (rates, processed) = (self.simulation.rates(), self.simulation.processed());
         let (time, ego, tracks) = self.simulation.beliefs();
         if time < self.due {
             return Ok(());
         }
         self.due += self.system.online.period;
         let speed = ego.speed;
-        let mut asked = self.online.ask(time, ego, tracks, rates);
+        let mut asked = self.online.ask(time, ego, tracks, rates, &processed);
         let measures = self.measures(time);
         self.allocate(&mut asked, speed, measures)?;
         self.check(&mut asked);

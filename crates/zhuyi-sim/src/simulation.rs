@@ -190,6 +190,14 @@ impl<'a> Simulation<'a> {
         (scene.time, &scene.ego, self.tracker.tracks(scene.time))
     }
 
+    /// How many frames of every camera have been processed.
+    pub(crate) fn processed(&self) -> Vec<u64> {
+        let cameras = (0..self.system.perception.eyes.len() as u8).map(CameraId);
+        cameras
+            .map(|camera| self.eyes.frames_processed(camera))
+            .collect()
+    }
+
     /// [Hz] the present rate of every camera, in the order of the rig.
     pub(crate) fn rates(&self) -> Vec<f64> {
         let cameras = (0..self.system.perception.eyes.len() as u8).map(CameraId);

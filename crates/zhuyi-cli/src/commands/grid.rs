@@ -6,7 +6,7 @@ use clap::Args;
 use zhuyi_core::FrameRates;
 use zhuyi_estimator::Estimator;
 use zhuyi_lab::Progress;
-use zhuyi_lab::mrf::{Required, required};
+use zhuyi_lab::mrf::{Required, required, told};
 use zhuyi_lab::runs::Typed;
 use zhuyi_lab::statistics::bound_without_event;
 use zhuyi_lab::sweep::{Cell, Experiment, Record, grid, uniform};
@@ -66,7 +66,7 @@ pub struct Grid {
     pub system: System,
     pub rates: Vec<u32>,
     pub seeds: u64,
-    root_seed: u64,
+    pub root_seed: u64,
     /// How to type one of the drives.
     pub typed: Typed,
 }
@@ -86,21 +86,43 @@ impl Arguments {
     /// What was typed, as meant.
     pub fn meant(&self) -> Result<Grid, Error> {
         let mut problems = Problems::default();
-        let read = Inputs::read(&self.scenarios, &self.setup, &mut problems);
-        let rates = frame_rates(Argument::new("--fpr", &self.fpr), &mut problems);
-        let seeds = seed_count(&self.seeds, &mut problems);
-        let root_seed = seed("--root-seed", &self.root_seed, &mut problems);
-        let grid = || {
-            Some(Grid {
-                scenarios: read.scenarios?,
-                system: read.system?,
-                rates: rates?,
-                seeds: seeds?,
-                root_seed: root_seed?,
-                typed: self.typed(),
-            })
-        };
-        problems.finish(grid())
+        let grid = self.read(&mut problems);
+        problems.finish(grid)
+    }
+
+    /// What was typed, as meant, with all that is wrong noted.
+    pub fn read(&self, problems: &mut Problems) -> Option<Grid> {
+        let read = Inputs::read(&self.scenarios, &self.setup, problems);
+        let rates = frame_rates(self.fpr(), problems);
+        let seeds = seed_count(&self.seeds, problems);
+        let root_seed = seed("--root-seed", &self.root_seed, problems);
+        Some(Grid {
+            scenarios: read.scenarios?,
+            system: read.system?,
+            rates: rates?,
+            seeds: seeds?,
+            root_seed: root_seed?,
+            typed: self.typed(),
+        })
+    }
+
+    /// The rates as typed.
+    pub fn fpr(&self) -> Argument<'_> {
+        Argument::new("--fpr", &self.fpr)
+    }
+
+    /// The words behind the scenarios that say the same on another command line.
+    pub fn words(&self) -> impl Iterator<Item = &str> {
+        let flags = [
+            ("--fpr", &self.fpr, "1:30"),
+            ("--seeds", &self.seeds, "10"),
+            ("--root-seed", &self.root_seed, "0"),
+        ];
+        let changed = flags
+            .into_iter()
+            .filter(|(_, typed, default)| typed != default);
+        let changed = changed.flat_map(|(flag, typed, _)| [flag, typed.as_str()]);
+        changed.chain(self.setup.words())
     }
 
     fn typed(&self) -> Typed {
@@ -191,23 +213,5 @@ impl Grid {
             self.rates.len(),
             self.seeds
         )
-    }
-}
-
-/// `1 to 4 FPR: 10 of 10, 5 FPR: 3`, neighbours with equal counts drawn together.
-fn told(collisions: &[(u32, u32)]) -> String {
-    let runs = collisions.chunk_by(|(_, one), (_, two)| one == two);
-    let told: Vec<String> = runs
-        .filter(|run| run[0].1 > 0)
-        .map(|run| match run {
-            [(rate, count)] => format!("{count} at {rate}"),
-            [(first, count), .., (last, _)] => format!("{count} each at {first} to {last}"),
-            [] => String::new(),
-        })
-        .collect();
-    if told.is_empty() {
-        "none".to_string()
-    } else {
-        told.join(", ")
     }
 }

@@ -1,4 +1,4 @@
-//! `mrf`, `sweep`, `reproduce`, `robustness`, `compare`, `beyond`, with few runs.
+//! `mrf` with and without `--per-camera`, `sweep`, `reproduce`, `robustness`, `compare`, `beyond`, with few runs.
 
 use crate::Bench;
 use zhuyi_scenario::embedded;
@@ -27,6 +27,65 @@ fn hand_mrf_above_what_was_tested() {
         .find(|line| line.starts_with(" vehicle-following"))
         .unwrap();
     assert!(row.contains(" <=2 ") && row.contains("none"), "{out}");
+}
+
+#[test]
+fn law_a_search_per_camera_is_reproduced_and_a_changed_file_is_told() {
+    let bench = Bench::new();
+    let line = "mrf --per-camera challenging-cut-in vehicle-following --brute-force challenging-cut-in --fpr 1,3,30 --seeds 1 \
+                --root-seed 0";
+    let printed = bench.out(line);
+    assert!(
+        printed.starts_with(
+            "rates 1, 3, 30 FPR on each of front_120, left and right (front_60 goes with"
+        ),
+        "{printed}"
+    );
+    for words in [
+        "In challenging-cut-in every combination was tried: 27 in ",
+        "Both agree on which of them are safe",
+    ] {
+        assert!(printed.contains(words), "{words} is not in\n{printed}");
+    }
+    assert_eq!(bench.names("."), [""; 0], "nothing is written");
+    let out = bench.out(&format!("{line} --out out"));
+    assert!(out.starts_with(printed.trim_end()), "{out}");
+    assert_eq!(
+        bench.names("out"),
+        ["mrf_per_camera.csv", "mrf_per_camera.md"]
+    );
+    let page = bench.read("out/mrf_per_camera.md");
+    let command = "zhuyi mrf --per-camera challenging-cut-in vehicle-following --brute-force challenging-cut-in --fpr 1,3,30 --seeds 1";
+    assert!(
+        page.contains(&format!("Written by `{command}`: ")),
+        "{page}"
+    );
+    let replay = page
+        .rsplit_once("One of the runs again: `zhuyi ")
+        .unwrap()
+        .1;
+    let replay = replay.split_once('`').unwrap().0;
+    let told = bench.out(&format!("{replay} --json"));
+    assert!(told.contains("\"collision\": null"), "{replay}: {told}");
+    let out = bench.out(&format!("{line} --out out --check"));
+    assert!(out.contains("All 2 files in out are reproduced."), "{out}");
+    bench.write("out/mrf_per_camera.md", "no camera is needed\n");
+    let ran = bench.zhuyi(&format!("{line} --out out --check"));
+    assert_eq!(ran.code, Some(1));
+    assert!(ran.err.contains("mrf_per_camera.md:1: "), "{}", ran.err);
+    assert_eq!(bench.read("out/mrf_per_camera.md"), "no camera is needed\n");
+}
+
+#[test]
+fn hand_a_car_of_two_analysed_cameras_has_two_rates() {
+    let bench = Bench::new();
+    let out = bench.out(
+        "mrf --per-camera vehicle-following --fpr 2:30:14 --seeds 1 --set perception.cameras.right.analysed=false",
+    );
+    assert!(
+        out.starts_with("rates 2, 16, 30 FPR on each of front_120 and left (front_60 goes with front_120, right keeps 30 and is"),
+        "{out}"
+    );
 }
 
 #[test]

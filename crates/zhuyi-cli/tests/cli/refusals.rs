@@ -165,6 +165,38 @@ fn hand_what_a_comparison_does_not_take() {
 }
 
 #[test]
+fn hand_what_a_search_per_camera_does_not_take() {
+    refused(
+        "mrf --per-camera cut-in --fpr 1:1000",
+        &[
+            "1000 rates on 3 analysed cameras must make 1 to 1000000 combinations",
+            "^^^^^^ fewer rates",
+        ],
+    );
+    refused(
+        "mrf --per-camera cut-in cut-out --brute-force cut-inn --seeds 0 --fpr 3:1",
+        &[
+            "unknown scenario among those searched `cut-inn`",
+            "did you mean `cut-in`? searched: cut-in, cut-out",
+            "the number of seeds must be 1 to 100000, got 0",
+            "a range goes upwards, got 3 to 1",
+        ],
+    );
+    refused(
+        "mrf --per-camera cut-in --set perception.cameras.front_120.analysed=false \
+         --set perception.cameras.left.analysed=false --set perception.cameras.right.analysed=false",
+        &[
+            "on 0 analysed cameras",
+            "no camera of the system is analysed",
+        ],
+    );
+    refused("mrf cut-in --brute-force cut-in", &["--per-camera"]);
+    refused("mrf cut-in --out out", &["--per-camera"]);
+    refused("mrf --per-camera --check", &["--out <DIR>"]);
+    refused("mrf", &["<SCENARIO>"]);
+}
+
+#[test]
 fn hand_seeds() {
     refused(
         "run cut-in --seed -1",

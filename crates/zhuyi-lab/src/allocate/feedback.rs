@@ -29,6 +29,9 @@ pub const IN_TABLE: &str = "demand-hysteresis";
 /// [Hz] enough for 30 on each of five cameras and more.
 const PLENTY: f64 = 1e4;
 
+/// [s] and [FPR].
+type Points = Vec<(f64, f64)>;
+
 /// Both readings of l_0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Feedback {
@@ -86,7 +89,7 @@ fn comparison(plan: &Allocating, systems: &[System; 2]) -> Result<Comparison, Po
     let eyes = &plan.system.perception.eyes;
     let camera = eyes.iter().position(|eye| eye.camera.analysed);
     let camera = camera.unwrap_or_default();
-    let points = |scenario: usize, system: &System| -> Result<Vec<(f64, f64)>, PolicyError> {
+    let points = |scenario: usize, system: &System| -> Result<Points, PolicyError> {
         let allocation = Allocation {
             policy: policy(POLICY).unwrap_or_else(|unknown| panic!("{unknown}")),
             budget: PLENTY,
@@ -97,7 +100,7 @@ fn comparison(plan: &Allocating, systems: &[System; 2]) -> Result<Comparison, Po
         let point = |asked: &zhuyi_sim::Asked| (asked.time.seconds(), asked.demands[camera].fpr);
         Ok(asked.iter().map(point).collect())
     };
-    let mut furthest: Option<(f64, usize, [Vec<(f64, f64)>; 2])> = None;
+    let mut furthest: Option<(f64, usize, [Points; 2])> = None;
     for scenario in 0..plan.scenarios.len() {
         let [fixed, literal] = systems;
         let lines = [points(scenario, fixed)?, points(scenario, literal)?];

@@ -59,7 +59,7 @@ fn ranked<'a>(plan: &'a Allocating, allocated: &'a Allocated) -> Vec<Ranked<'a>>
 pub(super) fn markdown(plan: &Allocating, allocated: &Allocated) -> String {
     let ranked = ranked(plan, allocated);
     let mut sections = vec![
-        format!("## In short\n\n{}", in_short(plan, &ranked).join("\n")),
+        format!("## In short\n\n{}\n", in_short(plan, &ranked).join("\n")),
         format!(
             "## Leaderboard\n\n{}\n{}",
             leaderboard(plan, &ranked),
@@ -75,6 +75,9 @@ pub(super) fn markdown(plan: &Allocating, allocated: &Allocated) -> String {
     ];
     if !allocated.answered.is_empty() {
         sections.push(responses(allocated));
+    }
+    if !allocated.smallest.is_empty() {
+        sections.push(smallest(allocated));
     }
     if let Some(feedback) = &allocated.feedback {
         sections.push(literal(feedback));
@@ -121,13 +124,11 @@ fn spelt(plan: &Allocating) -> String {
 
 fn amount(plan: &Allocating, place: Option<usize>) -> String {
     let budgets = plan.budgets();
-    match place {
-        Some(place) => at_most_two_decimals(budgets[place].amount),
-        None => {
-            let most = budgets.last().map_or(0.0, |budget| budget.amount);
-            format!(">{}", at_most_two_decimals(most))
-        }
+    if let Some(place) = place {
+        return at_most_two_decimals(budgets[place].amount);
     }
+    let most = budgets.last().map_or(0.0, |budget| budget.amount);
+    format!(">{}", at_most_two_decimals(most))
 }
 
 fn percent(share: f64) -> String {
@@ -174,9 +175,16 @@ fn in_short(plan: &Allocating, ranked: &[Ranked<'_>]) -> Vec<String> {
         _ => "- It is not safe with less than `uniform` is.".to_string(),
     };
     lines.push(verdict);
-    for name in ["best-static", "clairvoyant"] {
+    for (who, name) in [
+        ("The paper's own rule", "proportional"),
+        (
+            "Fixed rates, found by driving these very drives",
+            "best-static",
+        ),
+        ("Who knows the future", "clairvoyant"),
+    ] {
         if let Some(other) = ranked.iter().find(|ranked| ranked.policy == name) {
-            lines.push(format!("- `{name}`: {}.", says(other)));
+            lines.push(format!("- {who}, `{name}`: {}.", says(other)));
         }
     }
     let never: Vec<&str> = ranked
@@ -375,6 +383,36 @@ fn responses(allocated: &Allocated) -> String {
         "## Responses to alarms\n\nCollisions, in brackets jerk [m/s3] and frames processed per second. Emergency back-up brakes \
          at C3 while an alarm stands; limited functionality gives the cameras a quarter more, drives 5 m/s slower and keeps half a \
          second more headway; rates raised takes from cameras above their demand for those below it.\n\n{}",
+        markdown_table(&header, &lines)
+    )
+}
+
+fn smallest(allocated: &Allocated) -> String {
+    let header = cells(&[
+        "policy",
+        "budget [frames/s]",
+        "collisions",
+        "without an alarm",
+        "delta-v [m/s]",
+        "processed [frames/s]",
+    ]);
+    let line = |smallest: &super::Smallest| {
+        let tally = &smallest.tally;
+        vec![
+            smallest.policy.to_string(),
+            at_most_two_decimals(smallest.budget),
+            format!("{} of {}", tally.collisions, tally.drives),
+            tally.missed.to_string(),
+            decimals(tally.delta_v, 1),
+            decimals(Some(tally.processed), 1),
+        ]
+    };
+    let lines: Vec<_> = allocated.smallest.iter().map(line).collect();
+    format!(
+        "## The smallest drive in which the estimate asks for too little\n\nOne standing car on an empty road, at 70 mph \
+         (crates/zhuyi-lab/src/allocate/one-standing-car.ron). Before it is confirmed nobody asks for anything: every camera runs at \
+         1 FPR, and K frames take K seconds. No budget mends that; a reserve does, and so does to assume somebody where no camera \
+         has cleared the road.\n\n{}",
         markdown_table(&header, &lines)
     )
 }

@@ -156,7 +156,7 @@ fn of_mean(differences: &[f64]) -> Interval {
 /// Newcombe's interval for the difference of paired shares, from the pairs with both, the first alone, the second alone and
 /// neither.
 ///
-/// Newcombe (1998), Statistics in Medicine 17, 2635, table II, method 10: of 36, 12, 2, 0 pairs 0.0569 to 0.3404.
+/// Newcombe (1998), Statistics in Medicine 17, 2635, an example of method 10: of 36, 12, 2, 0 pairs 0.0569 to 0.3404.
 /// ```
 /// use zhuyi_lab::allocate::tally::newcombe;
 /// let found = newcombe([36, 12, 2, 0]);

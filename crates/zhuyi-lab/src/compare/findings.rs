@@ -5,12 +5,12 @@ use std::fmt::Write as _;
 use super::audit::{Moment, Tally};
 use super::files::Total;
 use super::ideas::idea;
-use super::in_short::{in_short, listed, trials_with_collisions};
+use super::in_short::{in_short, trials_with_collisions};
 use super::models::NEEDED;
 use super::page::percent;
 use super::scenes::Answered;
 use super::{Compared, Comparison};
-use crate::text::{at_most_two_decimals, counted};
+use crate::text::{at_most_two_decimals, counted, listed};
 
 /// The section, with its heading.
 pub(super) fn markdown(

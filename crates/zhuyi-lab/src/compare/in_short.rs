@@ -11,7 +11,7 @@ use super::page::percent;
 use super::{Compared, Comparison};
 use crate::reruns::Rerun;
 use crate::statistics::mean;
-use crate::text::{at_most_two_decimals, counted};
+use crate::text::{at_most_two_decimals, counted, listed};
 
 /// How it came out, as a list.
 pub(super) fn in_short(comparison: &Comparison, compared: &Compared, total: &Total) -> String {
@@ -184,15 +184,6 @@ fn by(models: Vec<usize>, figure: impl Fn(usize) -> Option<f64>) -> Vec<(usize, 
     let mut sorted: Vec<(usize, f64)> = with_figure.collect();
     sorted.sort_by(|(_, a), (_, b)| a.total_cmp(b));
     sorted
-}
-
-/// `a, b and c`.
-pub(super) fn listed(parts: &[String]) -> String {
-    match parts {
-        [] => String::new(),
-        [only] => only.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
-    }
 }
 
 #[cfg(test)]

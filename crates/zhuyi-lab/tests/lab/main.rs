@@ -7,16 +7,19 @@
 //! - `reruns`: which rates are run again;
 //! - `moves`: the file of `zhuyi robustness` on a small plan;
 //! - `compare`: the audit of all models against hand counts and replays, and its files;
+//! - `per_camera`: the search for a rate of each camera against every combination, and its files;
 //! - `beyond`: the file of `zhuyi beyond`.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
+mod allocate;
 mod beyond;
 mod claims;
 mod compare;
 mod determinism;
 mod files;
 mod moves;
+mod per_camera;
 mod reruns;
 mod small;
 mod table;

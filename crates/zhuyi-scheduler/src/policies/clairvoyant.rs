@@ -6,7 +6,7 @@
 //! what the ego does, it is no longer quite true. Source: the offline estimates of the paper's experiments.
 
 use crate::sharing;
-use crate::{Policy, PolicyError, Situation};
+use crate::{LooksAt, Policy, PolicyError, Situation};
 
 /// The demand with the future known first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -15,6 +15,10 @@ pub struct Clairvoyant;
 impl Policy for Clairvoyant {
     fn name(&self) -> &'static str {
         "clairvoyant"
+    }
+
+    fn looks_at(&self) -> LooksAt {
+        LooksAt::PAPER
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {

@@ -9,7 +9,7 @@
 //! so that a camera which sees nothing yet is ready for something new. Left out: what was before.
 
 use crate::sharing;
-use crate::{Policy, PolicyError, Situation};
+use crate::{LooksAt, Policy, PolicyError, Situation};
 
 /// The demand, then equal parts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -18,6 +18,10 @@ pub struct DemandFirst;
 impl Policy for DemandFirst {
     fn name(&self) -> &'static str {
         "demand-first"
+    }
+
+    fn looks_at(&self) -> LooksAt {
+        LooksAt::PAPER
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {

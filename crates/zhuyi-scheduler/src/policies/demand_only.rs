@@ -9,7 +9,7 @@
 //! for whom nobody has confirmed yet. Left out: what was before.
 
 use crate::sharing;
-use crate::{Policy, PolicyError, Situation};
+use crate::{LooksAt, Policy, PolicyError, Situation};
 
 /// The demand and no more.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -18,6 +18,10 @@ pub struct DemandOnly;
 impl Policy for DemandOnly {
     fn name(&self) -> &'static str {
         "demand-only"
+    }
+
+    fn looks_at(&self) -> LooksAt {
+        LooksAt::PAPER
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {

@@ -12,7 +12,7 @@
 //! [`Discipline::for_policy`]: crate::Discipline::for_policy
 
 use crate::sharing;
-use crate::{Policy, PolicyError, Situation};
+use crate::{LooksAt, Policy, PolicyError, Situation};
 
 /// Rates of `demand-first`; the order of frames is the point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -21,6 +21,10 @@ pub struct Edf;
 impl Policy for Edf {
     fn name(&self) -> &'static str {
         "edf"
+    }
+
+    fn looks_at(&self) -> LooksAt {
+        LooksAt::PAPER
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {

@@ -12,7 +12,7 @@
 
 use crate::policies::UnknownPolicy;
 use crate::sharing;
-use crate::{Policy, PolicyError, Situation};
+use crate::{LooksAt, Policy, PolicyError, Situation};
 
 /// [Hz] by how much given rates may exceed the budget: the rounding of their sum.
 const ROUNDING: f64 = 1e-9;
@@ -97,6 +97,10 @@ impl Static {
 impl Policy for Static {
     fn name(&self) -> &str {
         &self.name
+    }
+
+    fn looks_at(&self) -> LooksAt {
+        LooksAt::PAPER
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {

@@ -17,7 +17,7 @@
 //! away or waits (reading R15). Left out: changes of the budget, which act at once.
 
 use crate::sharing;
-use crate::{Policy, PolicyError, Situation};
+use crate::{LooksAt, Policy, PolicyError, Situation};
 
 /// Demand first, falling late.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,6 +82,10 @@ impl Held {
 impl Policy for Hysteresis {
     fn name(&self) -> &'static str {
         "demand-hysteresis"
+    }
+
+    fn looks_at(&self) -> LooksAt {
+        LooksAt::PAPER
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {

@@ -6,7 +6,7 @@
 //! this demand is there in time. Source: our own. Left out: memory of what was seen there a moment ago.
 
 use crate::sharing;
-use crate::{Policy, PolicyError, Situation};
+use crate::{LooksAt, Policy, PolicyError, Situation};
 
 /// The demand with phantoms first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -15,6 +15,13 @@ pub struct Phantom;
 impl Policy for Phantom {
     fn name(&self) -> &'static str {
         "phantom"
+    }
+
+    fn looks_at(&self) -> LooksAt {
+        LooksAt {
+            phantoms: true,
+            ..LooksAt::PAPER
+        }
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {

@@ -4,7 +4,7 @@
 //! what `demand-only` is to `demand-first`. Source: our own. Left out: what was before.
 
 use crate::sharing;
-use crate::{Policy, PolicyError, Situation};
+use crate::{LooksAt, Policy, PolicyError, Situation};
 
 /// The demand with phantoms and no more.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -13,6 +13,13 @@ pub struct PhantomOnly;
 impl Policy for PhantomOnly {
     fn name(&self) -> &'static str {
         "phantom-only"
+    }
+
+    fn looks_at(&self) -> LooksAt {
+        LooksAt {
+            phantoms: true,
+            ..LooksAt::PAPER
+        }
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {

@@ -10,7 +10,7 @@
 //! all of them here. Left out: that a quiet camera, too, takes a share of what is more than enough.
 
 use crate::sharing;
-use crate::{Policy, PolicyError, Situation};
+use crate::{LooksAt, Policy, PolicyError, Situation};
 
 /// In proportion to the demand.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -19,6 +19,10 @@ pub struct Proportional;
 impl Policy for Proportional {
     fn name(&self) -> &'static str {
         "proportional"
+    }
+
+    fn looks_at(&self) -> LooksAt {
+        LooksAt::PAPER
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {

@@ -5,7 +5,7 @@
 //! Left out by the model: who is there. Pylot itself chooses among networks by its deadline, not among cameras.
 
 use crate::sharing;
-use crate::{Policy, PolicyError, Situation};
+use crate::{LooksAt, Policy, PolicyError, Situation};
 
 /// The demand of Pylot's deadline first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -14,6 +14,13 @@ pub struct Pylot;
 impl Policy for Pylot {
     fn name(&self) -> &'static str {
         "pylot"
+    }
+
+    fn looks_at(&self) -> LooksAt {
+        LooksAt {
+            rivals: true,
+            ..LooksAt::PAPER
+        }
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {

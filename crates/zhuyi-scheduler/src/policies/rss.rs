@@ -5,7 +5,7 @@
 //! Shalev-Shwartz, Shammah & Shashua, arXiv 1708.06374. RSS itself knows of no cameras. Left out: lateral responses.
 
 use crate::sharing;
-use crate::{Policy, PolicyError, Situation};
+use crate::{LooksAt, Policy, PolicyError, Situation};
 
 /// The demand of RSS first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -14,6 +14,13 @@ pub struct Rss;
 impl Policy for Rss {
     fn name(&self) -> &'static str {
         "rss"
+    }
+
+    fn looks_at(&self) -> LooksAt {
+        LooksAt {
+            rivals: true,
+            ..LooksAt::PAPER
+        }
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {

@@ -5,7 +5,7 @@
 //! Left out by the measure: how hard anybody can brake.
 
 use crate::sharing;
-use crate::{Policy, PolicyError, Situation};
+use crate::{LooksAt, Policy, PolicyError, Situation};
 
 /// The demand of TTC first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -14,6 +14,13 @@ pub struct Ttc;
 impl Policy for Ttc {
     fn name(&self) -> &'static str {
         "ttc"
+    }
+
+    fn looks_at(&self) -> LooksAt {
+        LooksAt {
+            rivals: true,
+            ..LooksAt::PAPER
+        }
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {

@@ -7,7 +7,7 @@
 //! B is the budget [Hz], n the number of cameras. The baseline of all comparisons. Left out: everything that is known.
 
 use crate::sharing;
-use crate::{Policy, PolicyError, Situation};
+use crate::{LooksAt, Policy, PolicyError, Situation};
 
 /// Every camera the same.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -16,6 +16,10 @@ pub struct Uniform;
 impl Policy for Uniform {
     fn name(&self) -> &'static str {
         "uniform"
+    }
+
+    fn looks_at(&self) -> LooksAt {
+        LooksAt::PAPER
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {

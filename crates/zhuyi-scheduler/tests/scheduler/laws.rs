@@ -56,6 +56,28 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
     #[test]
+    fn law_a_policy_does_not_look_at_what_it_says_it_does_not(
+        scene in any_scene(),
+        others in prop::collection::vec(any_demand(), 4),
+    ) {
+        for name in plain() {
+            let looks_at = policy(name).unwrap().looks_at();
+            let mut changed = scene.clone();
+            for camera in &mut changed.cameras {
+                if !looks_at.phantoms {
+                    camera.demands.phantom = others[0];
+                }
+                if !looks_at.rivals {
+                    let demands = &mut camera.demands;
+                    (demands.rss, demands.ttc, demands.pylot) = (others[1], others[2], others[3]);
+                }
+            }
+            let rates = |scene: &Scene| scene.rates(&mut *policy(name).unwrap()).unwrap();
+            prop_assert_eq!(rates(&scene), rates(&changed), "{}", name);
+        }
+    }
+
+    #[test]
     fn law_every_policy_stays_within_floor_cap_and_budget(scene in any_scene()) {
         for name in plain() {
             let rates = scene.rates(&mut *policy(name).unwrap()).unwrap();
