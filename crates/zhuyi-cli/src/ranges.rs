@@ -51,13 +51,13 @@ fn range(
         }
     };
     if from > to {
-        argument.refuse(place, reversed(from, to), problems);
+        argument.refuse(place, reversed(&from, &to), problems);
         return None;
     }
     Some((from..=to).step_by(step))
 }
 
-fn reversed(from: impl ToString, to: impl ToString) -> Fault {
+fn reversed<N: ToString>(from: &N, to: &N) -> Fault {
     Fault::Reversed {
         from: from.to_string(),
         to: to.to_string(),
@@ -103,7 +103,7 @@ pub fn amounts(
         // An end that is met but for rounding is met.
         let steps = ((to - from) / step + 1e-9).floor();
         if from > to {
-            argument.refuse(&place, reversed(from, to), problems);
+            argument.refuse(&place, reversed(&from, &to), problems);
         } else if steps >= MOST as f64 {
             let (most, got) = (MOST, steps as usize + 1);
             argument.refuse(&place, Fault::TooMany { most, got }, problems);

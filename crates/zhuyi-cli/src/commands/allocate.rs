@@ -173,12 +173,12 @@ impl Arguments {
                 if policies.contains(&name) {
                     continue;
                 }
-                if name != BEST_STATIC && policies::named(&name, problems).is_some() {
-                    if let (Some(system), Some(Budgets::Fps(budgets))) = (system, budgets) {
-                        // Who fits the smallest fits all.
-                        let smallest = budgets.first().copied().unwrap_or(1.0);
-                        policies::look_at(&name, smallest, system, problems);
-                    }
+                let known = name == BEST_STATIC || policies::named(&name, problems).is_some();
+                if let (true, Some(system), Some(Budgets::Fps(budgets))) = (known, system, budgets)
+                {
+                    // Who fits the smallest fits all.
+                    let smallest = budgets.first().copied().unwrap_or(1.0);
+                    policies::look_at(&name, smallest, system, problems);
                 }
                 policies.push(name);
             }
