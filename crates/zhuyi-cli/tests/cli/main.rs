@@ -2,6 +2,7 @@
 //!
 //! | file | what it shows |
 //! |---|---|
+//! | `budgets` | `allocate`: policies under budgets |
 //! | `files` | `list`, `show`, `check`, `new` |
 //! | `one_run` | `run`: text, JSON, trace, rates, settings |
 //! | `many_runs` | `mrf`, `sweep`, `reproduce`, `robustness`, `compare`, `beyond` |
@@ -13,6 +14,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may")]
 
+mod budgets;
 mod explanations;
 mod files;
 mod many_runs;
