@@ -28,6 +28,8 @@ pub mod surroundings;
 pub mod trace;
 pub mod trace_csv;
 mod uncleared;
+pub mod waterfall;
+pub mod witness;
 
 pub use draws::Draws;
 pub use offline::{Hindsight, Peak, Peaks};
@@ -37,3 +39,5 @@ pub use scheduled::{Allocation, Scheduled, equal_parts, known_future};
 pub use simulation::{STEP, Simulation};
 pub use surroundings::{believed, surroundings};
 pub use trace::Trace;
+pub use waterfall::{Cause, Stage, Waterfall};
+pub use witness::Witness;
