@@ -101,6 +101,17 @@ pub enum Fault {
     /// A value of a scenario where no scenario is read.
     #[error("a value of a scenario can be set only where --road names one")]
     NoRoad,
+    /// A flag that means nothing for a table of runs.
+    #[error("{0} is for traces, and this is a table of runs")]
+    OfTraces(&'static str),
+    /// A file that is no table of runs.
+    #[error("`{path}` is no table of runs: {why}")]
+    NoTable {
+        /// Which.
+        path: String,
+        /// Why.
+        why: zhuyi_report::sweep::table::InvalidTable,
+    },
     /// The name of a new scenario that cannot be one.
     #[error("a name is made of letters, digits, `_` and `-`, got `{0}`")]
     Name(String),
@@ -123,6 +134,7 @@ impl Fault {
             Self::Unknown { hint, .. } => Some(hint),
             Self::Name(_) => Some("--output takes a path"),
             Self::Reversed { .. } => Some("the smaller number first"),
+            Self::NoTable { .. } => Some("a folder that zhuyi sweep or reproduce wrote"),
             Self::ManyCombinations { cameras: 0, .. } => {
                 Some("no camera of the system is analysed")
             }
