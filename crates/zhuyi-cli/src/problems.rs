@@ -46,10 +46,12 @@ impl Problem {
     /// 2 for what the user can put right in a text, 4 for what the file system refuses.
     fn exit_code(&self) -> u8 {
         match self {
-            Self::Argument(_) | Self::File(_) | Self::Trace { .. } => 2,
+            Self::Argument(_)
+            | Self::File(_)
+            | Self::Trace { .. }
+            | Self::Result(CommittedError::Content { .. }) => 2,
             // Bytes that are no text are bad input, however they came.
             Self::Read { source, .. } if source.kind() == io::ErrorKind::InvalidData => 2,
-            Self::Result(CommittedError::Content { .. }) => 2,
             Self::Read { .. } | Self::Write { .. } | Self::Result(_) => 4,
         }
     }

@@ -14,8 +14,11 @@ use super::sheet::{
 };
 use crate::palette::{BLACK, BLUE, GREEN, LIGHT_BLUE, ORANGE, PURPLE, VERMILION};
 
+/// A policy, the colour and the dashes of its line, and its mark.
+type Looks = (&'static str, RGBColor, Option<(u32, u32)>, Mark);
+
 /// The policies that are named, each with its looks; the others are grey.
-const NAMED: [(&str, RGBColor, Option<(u32, u32)>, Mark); 7] = [
+const NAMED: [Looks; 7] = [
     ("uniform", BLACK, None, Mark::Disc),
     ("proportional", ORANGE, Some((14, 5)), Mark::Square),
     ("demand-first", BLUE, Some((8, 5)), Mark::Triangle),
@@ -113,8 +116,8 @@ fn draw(spent: &[Spent], area: &Area<'_>) -> Result<(), Failure> {
         line(&mut chart, points(spent, policy, until), style)?;
     }
     named(spent, until, &mut chart)?;
-    for (place, (name, colour, dashes, mark)) in NAMED.into_iter().enumerate() {
-        let (column, row) = (place as i32 / 3, place as i32 % 3);
+    for (place, (name, colour, dashes, mark)) in (0_i32..).zip(NAMED) {
+        let (column, row) = (place / 3, place % 3);
         let style = Style {
             colour,
             width: 3,
@@ -141,7 +144,7 @@ fn draw(spent: &[Spent], area: &Area<'_>) -> Result<(), Failure> {
     } else {
         format!("from {until} FPR on: 0 of those named")
     };
-    let style = letters(NOTE, &BLACK, HPos::Left, VPos::Center);
+    let style = letters(NOTE, BLACK, HPos::Left, VPos::Center);
     area.draw(&Text::new(note, (650, 660), style))
 }
 

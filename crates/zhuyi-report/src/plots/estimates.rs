@@ -93,7 +93,7 @@ fn draw(panels: &[Panel<'_>], area: &Area<'_>) -> Result<(), Failure> {
     area.draw(&Text::new(
         title.to_string(),
         (600, 26),
-        letters(TITLE, &BLACK, HPos::Center, VPos::Center),
+        letters(TITLE, BLACK, HPos::Center, VPos::Center),
     ))?;
     let (_, rest) = area.split_vertically(46);
     let (grid, legend) = rest.split_vertically(1020);
@@ -179,7 +179,7 @@ fn draw_panel(panel: &Panel<'_>, top: f64, area: &Area<'_>) -> Result<(), Failur
     let sum = sum
         .parse::<f64>()
         .map_or("N/A".to_string(), |sum| format!("{sum:.1}"));
-    let style = |size| letters(size, &BLACK, HPos::Center, VPos::Center);
+    let style = |size| letters(size, BLACK, HPos::Center, VPos::Center);
     area.draw(&Text::new(
         panel.scenario.to_string(),
         (220, 18),

@@ -121,9 +121,9 @@ fn draw(course: &Course, area: &Area<'_>) -> Result<(), Failure> {
             .collect();
         line(&mut chart, corners(&shown), *style)?;
     }
-    for (camera, style) in STYLES.iter().enumerate().take(course.cameras.len()) {
-        let at = (110 + 190 * camera as i32, 402);
-        sample(area, at, &course.cameras[camera], (Some(*style), None))?;
+    for ((place, camera), style) in (0..).zip(&course.cameras).zip(STYLES) {
+        let at = (110 + 190 * place, 402);
+        sample(area, at, camera, (Some(style), None))?;
     }
     let mut accel = ChartBuilder::on(&below)
         .margin(14)
@@ -184,7 +184,7 @@ fn told(
     chart.draw_series([Text::new(
         text,
         (x, 40.0),
-        letters(NOTE, &BLACK, across, VPos::Center),
+        letters(NOTE, BLACK, across, VPos::Center),
     )])?;
     marks(accel, &[(time, hardest)], Mark::Diamond, (6, VERMILION))?;
     let text = format!("hardest: {hardest:.1} m/s² at {time:.1} s");
@@ -193,7 +193,7 @@ fn told(
     accel.draw_series([Text::new(
         text,
         at,
-        letters(NOTE, &BLACK, across, VPos::Center),
+        letters(NOTE, BLACK, across, VPos::Center),
     )])?;
     let dashes = Style {
         colour: GREY,

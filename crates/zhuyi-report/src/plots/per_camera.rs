@@ -102,7 +102,7 @@ fn draw(all: &[Slowest], area: &Area<'_>) -> Result<(), Failure> {
         let middle = rows - place as f64 - 0.5;
         draw_row(one, middle, &mut chart)?;
         let (_, y) = chart.backend_coord(&(0.0, middle));
-        let style = |across| letters(NOTE, &BLACK, across, VPos::Center);
+        let style = |across| letters(NOTE, BLACK, across, VPos::Center);
         area.draw(&Text::new(
             one.scenario.clone(),
             (232, y),
@@ -110,14 +110,14 @@ fn draw(all: &[Slowest], area: &Area<'_>) -> Result<(), Failure> {
         ))?;
         area.draw(&Text::new(cost(one), (786, y), style(HPos::Left)))?;
     }
-    let style = letters(NOTE, &BLACK, HPos::Left, VPos::Center);
+    let style = letters(NOTE, BLACK, HPos::Left, VPos::Center);
     area.draw(&Text::new(
         "sum of the rates [FPR]".to_string(),
         (786, 598),
         style,
     ))?;
     let cameras = all.first().map_or(&[][..], |one| &one.cameras);
-    for (place, (camera, (colour, mark))) in cameras.iter().zip(LOOKS).enumerate() {
+    for (place, (camera, (colour, mark))) in (0..).zip(cameras.iter().zip(LOOKS)) {
         let style = Style {
             colour,
             width: 0,
@@ -125,7 +125,7 @@ fn draw(all: &[Slowest], area: &Area<'_>) -> Result<(), Failure> {
         };
         sample(
             area,
-            (150 + 170 * place as i32, 664),
+            (150 + 170 * place, 664),
             camera,
             (Some(style), Some((mark, 7))),
         )?;
@@ -137,7 +137,7 @@ fn draw(all: &[Slowest], area: &Area<'_>) -> Result<(), Failure> {
     };
     sample(
         area,
-        (150 + 170 * cameras.len() as i32, 664),
+        (660, 664),
         "MRF, the same rate on all",
         (Some(grey), None),
     )

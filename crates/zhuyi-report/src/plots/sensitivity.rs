@@ -113,7 +113,7 @@ fn draw_map(map: &Map, area: &Area<'_>) -> Result<(), Failure> {
     if let Some(from) = map.cells.iter().find(unavoidable) {
         let middle = f64::midpoint(from.ego, FASTEST);
         if FASTEST - from.ego > 20.0 {
-            let style = letters(NOTE, &BLACK, HPos::Center, VPos::Center);
+            let style = letters(NOTE, BLACK, HPos::Center, VPos::Center);
             chart.draw_series([Text::new(
                 "unavoidable".to_string(),
                 (middle + 3.0, 8.0),
@@ -140,24 +140,24 @@ fn draw_legend(area: &Area<'_>) -> Result<(), Failure> {
     area.draw(&Text::new(
         "FPR asked for:",
         (30, 30),
-        letters(AXIS, &BLACK, HPos::Left, VPos::Center),
+        letters(AXIS, BLACK, HPos::Left, VPos::Center),
     ))?;
-    for (place, (name, colour)) in names.into_iter().zip(colours).enumerate() {
-        let x = 175 + 98 * place as i32;
+    for (place, (name, colour)) in (0..).zip(names.into_iter().zip(colours)) {
+        let x = 175 + 98 * place;
         let frame = [(x, 18), (x + 28, 42)];
         area.draw(&Rectangle::new(frame, colour.filled()))?;
         area.draw(&Rectangle::new(frame, BLACK.stroke_width(1)))?;
         area.draw(&Text::new(
             name,
             (x + 36, 30),
-            letters(NOTE, &BLACK, HPos::Left, VPos::Center),
+            letters(NOTE, BLACK, HPos::Left, VPos::Center),
         ))?;
     }
     let note = "confirmation delay K (l - l_0) with l_0 = 1/30 s; C1 = C2 = 0.9, C3 = 4.9 m/s²; cells 2.5 mph apart";
     area.draw(&Text::new(
         note.to_string(),
         (30, 66),
-        letters(NOTE, &BLACK, HPos::Left, VPos::Center),
+        letters(NOTE, BLACK, HPos::Left, VPos::Center),
     ))
 }
 

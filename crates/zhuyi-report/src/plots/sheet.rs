@@ -42,13 +42,8 @@ pub(super) fn font<'a>(size: u32) -> FontDesc<'a> {
 }
 
 /// Letters of a size and colour that stand on, or around, their point.
-pub(super) fn letters<'a>(
-    size: u32,
-    colour: &RGBColor,
-    across: HPos,
-    along: VPos,
-) -> TextStyle<'a> {
-    font(size).color(colour).pos(Pos::new(across, along))
+pub(super) fn letters<'a>(size: u32, colour: RGBColor, across: HPos, along: VPos) -> TextStyle<'a> {
+    font(size).color(&colour).pos(Pos::new(across, along))
 }
 
 /// A chart's axes: what they are of, and how their ticks are spelt.
@@ -83,6 +78,10 @@ pub(super) fn axes(chart: &mut Chart<'_, '_>, axes: &Axes<'_>) -> Result<(), Fai
 }
 
 /// A whole number.
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "as the axes of a chart ask for it"
+)]
 pub(super) fn whole(number: &f64) -> String {
     format!("{number:.0}")
 }
@@ -190,9 +189,9 @@ pub(super) fn sample(
     let colour = style.map_or(GREY, |style| style.colour);
     if let Some(style) = style.filter(|style| style.width > 0) {
         let stroke = colour.stroke_width(style.width);
-        let (dash, gap) = style
-            .dashes
-            .map_or((34, 0), |(dash, gap)| (dash as i32, gap as i32));
+        let (dash, gap) = style.dashes.map_or((34, 0), |(dash, gap)| {
+            (dash.cast_signed(), gap.cast_signed())
+        });
         let mut from = 0;
         while from < 34 {
             let to = (from + dash).min(34);
@@ -207,7 +206,7 @@ pub(super) fn sample(
     area.draw(&Text::new(
         name.to_string(),
         at,
-        letters(NOTE, &BLACK, HPos::Left, VPos::Center),
+        letters(NOTE, BLACK, HPos::Left, VPos::Center),
     ))
 }
 

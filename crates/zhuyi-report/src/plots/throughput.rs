@@ -77,7 +77,7 @@ fn draw(area: &Area<'_>) -> Result<(), Failure> {
         } else {
             (FULL_RATE * 0.01, HPos::Left, tops - 4.0, VPos::Top)
         };
-        let text = Text::new(note, (x, y), letters(NOTE, &colour, across, along));
+        let text = Text::new(note, (x, y), letters(NOTE, colour, across, along));
         chart.draw_series([text])?;
     }
     for (further, style) in [
@@ -108,9 +108,9 @@ fn draw(area: &Area<'_>) -> Result<(), Failure> {
     marks(&mut chart, &[(FULL_RATE, full)], Mark::Disc, (6, BLACK))?;
     let above = format!("with further models: {full:.0} TOPS at {FULL_RATE:.0} FPR");
     let below = format!("the detector alone: {:.0}", demand(FULL_RATE, false));
-    let style = letters(NOTE, &BLACK, HPos::Right, VPos::Bottom);
+    let style = letters(NOTE, BLACK, HPos::Right, VPos::Bottom);
     chart.draw_series([Text::new(above, (27.5, demand(27.5, true) + 16.0), style)])?;
-    let style = letters(NOTE, &GREEN, HPos::Left, VPos::Top);
+    let style = letters(NOTE, GREEN, HPos::Left, VPos::Top);
     chart.draw_series([Text::new(below, (21.2, demand(21.0, false) - 8.0), style)])?;
     let assumed = format!(
         "{:.0} GOP a frame (SSD-Large, 1200 x 1200, MLPerf) x {:.1} for further models x {CAMERAS} cameras x FPR;",
@@ -126,7 +126,7 @@ fn draw(area: &Area<'_>) -> Result<(), Failure> {
         area.draw(&Text::new(
             text,
             (88, y),
-            letters(NOTE, &BLACK, HPos::Left, VPos::Top),
+            letters(NOTE, BLACK, HPos::Left, VPos::Top),
         ))?;
     }
     Ok(())
