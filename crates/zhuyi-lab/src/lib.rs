@@ -8,6 +8,8 @@
 //!  Plan ──▶ [robustness]: one thing changed at a time, fresh seeds ──▶ robustness.md
 //!  PerCamera ──▶ [per_camera]: a rate of its own for each camera ──▶ mrf_per_camera.md, mrf_per_camera.csv
 //!  Allocating ──▶ [allocate]: policies under budgets on the same drives ──▶ allocation.md, allocation.csv
+//!  Plan ──▶ [course], [foresight], [sensitivity], [throughput]: claims 5 to 9 ──▶ claims.md, numbers for figures
+//!  results ──▶ [committed] ──▶ numbers for figures
 //!  Comparison ──▶ [compare]: all models on the same runs ──▶ compare.md, compare.csv, compare_demand.csv
 //! ```
 //!

@@ -179,7 +179,7 @@ pub(super) fn line(
     Ok(())
 }
 
-/// A legend: a row of samples with their names, from a pixel of an area on, `step` pixels apart.
+/// An entry of a legend: a sample of a line, of a mark or of both, from a pixel of an area on, and the name behind it.
 pub(super) fn sample(
     area: &Area<'_>,
     (x, y): (i32, i32),
