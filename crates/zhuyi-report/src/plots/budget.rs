@@ -100,7 +100,7 @@ fn draw(spent: &[Spent], area: &Area<'_>) -> Result<(), Failure> {
     axes(
         &mut chart,
         &Axes {
-            x: "budget over all five cameras [FPR]",
+            x: "budget over all cameras [FPR]",
             y: "drives that collide",
             x_tick: &whole,
             y_tick: &whole,
