@@ -101,6 +101,21 @@ pub enum Fault {
     /// A value of a scenario where no scenario is read.
     #[error("a value of a scenario can be set only where --road names one")]
     NoRoad,
+    /// Not the form of a varied parameter.
+    #[error("a varied parameter has the form path=from:to[:step] or path=[a,b,..], got `{0}`")]
+    VaryForm(String),
+    /// A list of values without one.
+    #[error("a varied parameter needs at least one value")]
+    NoValue,
+    /// Not the form of a shard.
+    #[error("a shard has the form k/n, got `{0}`")]
+    ShardForm(String),
+    /// More points than can be kept.
+    #[error("the varied parameters make more than {most} combinations")]
+    ManyPoints {
+        /// The most allowed.
+        most: usize,
+    },
     /// The name of a new scenario that cannot be one.
     #[error("a name is made of letters, digits, `_` and `-`, got `{0}`")]
     Name(String),
@@ -121,6 +136,7 @@ impl Fault {
     pub fn hint(&self) -> Option<&str> {
         match self {
             Self::Unknown { hint, .. } => Some(hint),
+            Self::ShardForm(_) => Some("the second of three is 2/3"),
             Self::Name(_) => Some("--output takes a path"),
             Self::Reversed { .. } => Some("the smaller number first"),
             Self::ManyCombinations { cameras: 0, .. } => {

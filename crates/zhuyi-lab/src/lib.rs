@@ -6,6 +6,7 @@
 //!                     └──▶ [reruns] at the rates asked for ──▶ [runs] ──▶ runs.csv        [manifest] ──▶ manifest.json
 //!  Plan ──▶ [beyond]: the estimator's options beyond the paper ──▶ beyond.md, lines for figures
 //!  Plan ──▶ [robustness]: one thing changed at a time, fresh seeds ──▶ robustness.md
+//!  batch::Plan ──▶ [batch]: any parameter varied, in blocks that survive a kill ──▶ plan.json, blocks/, runs.csv
 //!  PerCamera ──▶ [per_camera]: a rate of its own for each camera ──▶ mrf_per_camera.md, mrf_per_camera.csv
 //!  Allocating ──▶ [allocate]: policies under budgets on the same drives ──▶ allocation.md, allocation.csv
 //!  Comparison ──▶ [compare]: all models on the same runs ──▶ compare.md, compare.csv, compare_demand.csv
@@ -18,6 +19,7 @@
 //! cells changes nothing; a run alone is the run of its sweep; no number of the paper's table is known outside [`paper`].
 
 pub mod allocate;
+pub mod batch;
 pub mod beyond;
 #[doc = include_str!("calibration.md")]
 pub mod calibration {}

@@ -8,6 +8,7 @@ mod delivery;
 mod estimate;
 mod grid;
 mod list;
+mod merge;
 mod mrf;
 mod new;
 mod policies;
@@ -43,8 +44,8 @@ Start here:
   zhuyi reproduce                  the table of the paper (DAC 2022), ours beside the published one
 
 Frame rates are in frames per second and named FPR, frame processing rate, as in the paper.
-Exit codes: 0 done, 1 --check found a difference, 2 bad input, 4 reading or writing failed,
-            130 interrupted."
+Exit codes: 0 done, 1 --check found a difference, 2 bad input, 3 incomplete sweep, 4 reading or
+            writing failed, 130 interrupted."
 )]
 pub struct Arguments {
     /// What to do.
@@ -68,7 +69,9 @@ pub enum Command {
     /// Estimate what a recorded trace, of a run or of real traffic, asks of every camera at every step
     Estimate(estimate::Arguments),
     /// Drive through scenarios at many frame rates and write one row per run
-    Sweep(sweep::Arguments),
+    Sweep(Box<sweep::Arguments>),
+    /// Merge the shards of one sweep, made on one machine or many, into one table
+    Merge(merge::Arguments),
     /// Find the minimum required frame rate: from it on no seed collides
     Mrf(mrf::Arguments),
     /// Make the paper's table, ours beside the published one
@@ -94,6 +97,7 @@ impl Command {
             Self::Run(typed) => Box::new(typed.meant()?),
             Self::Estimate(typed) => Box::new(typed.meant()?),
             Self::Sweep(typed) => Box::new(typed.meant()?),
+            Self::Merge(typed) => Box::new(typed.meant()),
             Self::Mrf(typed) => Box::new(typed.meant()?),
             Self::Reproduce(typed) => Box::new(typed.meant()?),
             Self::Robustness(typed) => Box::new(typed.meant()?),

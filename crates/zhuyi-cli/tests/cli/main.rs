@@ -2,6 +2,7 @@
 //!
 //! | file | what it shows |
 //! |---|---|
+//! | `batches` | `sweep` with `--vary`, killed, interrupted and resumed, in shards; `merge` |
 //! | `files` | `list`, `show`, `check`, `new` |
 //! | `one_run` | `run`: text, JSON, trace, rates, settings |
 //! | `many_runs` | `mrf`, `sweep`, `reproduce`, `robustness`, `compare`, `beyond` |
@@ -11,6 +12,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may")]
 
+mod batches;
 mod files;
 mod many_runs;
 mod one_run;
