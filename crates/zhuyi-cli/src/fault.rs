@@ -107,6 +107,37 @@ pub enum Fault {
     /// A list of values without one.
     #[error("a varied parameter needs at least one value")]
     NoValue,
+    /// Not the form of a distribution.
+    #[error("a distribution is uniform(from,to) or normal(mean,deviation), got `{0}`")]
+    Distribution(String),
+    /// Something to draw, and not how many.
+    #[error("`{0}` is drawn, so --samples must say how often")]
+    NoSamples(String),
+    /// How many to draw, and nothing to draw.
+    #[error("nothing is drawn: --vary has no uniform(..) or normal(..)")]
+    NothingDrawn,
+    /// More parameters than a sequence has bases for.
+    #[error("halton draws at most {most} parameters, got {got}")]
+    ManyDrawn {
+        /// The most allowed.
+        most: usize,
+        /// How many there are.
+        got: usize,
+    },
+    /// Not the form of a constraint.
+    #[error("a constraint compares two varied parameters or numbers, as a<b or a>=3, got `{0}`")]
+    Comparison(String),
+    /// A constraint on a parameter that is no number.
+    #[error("`{path}` is not only numbers: it has `{value}`")]
+    Incomparable {
+        /// The parameter.
+        path: String,
+        /// A value of it.
+        value: String,
+    },
+    /// A constraint that nothing fulfils.
+    #[error("no combination of values is left")]
+    NoPoint,
     /// Not the form of a shard.
     #[error("a shard has the form k/n, got `{0}`")]
     ShardForm(String),

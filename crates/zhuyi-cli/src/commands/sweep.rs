@@ -31,6 +31,9 @@ Examples:
   zhuyi sweep my-scenario.ron --fpr 2:30:2 --set planner.min_gap_m=2 --out out
   zhuyi sweep cut-in --vary actors.cutter.speed_mps=18:26:2 --vary perception.miss_rate=[0,0.01] --out out
   zhuyi sweep cut-in --vary planner.min_gap_m=2:4:0.5 --dry-run
+  zhuyi sweep cut-in --vary perception.phase_share=0:0.9:0.1 --out out   the cameras' phase, instead of a drawn one
+  zhuyi sweep cut-in --vary 'actors.cutter.speed_mps=normal(22,2)' --vary 'planner.min_gap_m=uniform(2,4)' \
+      --samples 200 --sampling halton --where 'actors.cutter.speed_mps<26' --out out
   zhuyi sweep cut-in --seeds 10000 --out out --resume         goes on with what was interrupted
   zhuyi sweep cut-in --seeds 10000 --shard 2/3 --out shard-2  the second third; zhuyi merge puts them together
 
@@ -45,10 +48,8 @@ In a Slurm array: sbatch --array=1-100 --wrap 'zhuyi sweep cut-in --seeds 10000 
 pub struct Arguments {
     #[command(flatten)]
     grid: grid::Arguments,
-    /// Vary a value of the scenario or the system file: from:to[:step] with both ends, or [a,b,..]; may be given more than
-    /// once, and then makes every combination
-    #[arg(long, value_name = "PATH=VALUES", allow_hyphen_values = true)]
-    vary: Vec<String>,
+    #[command(flatten)]
+    vary: vary::Arguments,
     /// Folder for runs.csv; made if it is missing, and the file in it replaced
     #[arg(short, long, value_name = "DIR", required_unless_present = "dry_run")]
     out: Option<PathBuf>,
@@ -103,10 +104,8 @@ impl Arguments {
     /// What was typed, as meant, with all that is wrong noted.
     fn read(self, problems: &mut Problems) -> Option<Sweep> {
         let grid = self.grid.read(problems);
-        let axes = vary::axes(&self.vary, problems);
-        let points = axes
-            .as_deref()
-            .and_then(|axes| vary::points(axes, problems));
+        let root_seed = grid.as_ref().map_or(0, |grid| grid.root_seed);
+        let varied = self.vary.read(root_seed, problems);
         let shard = match &self.shard {
             None => Some(Shard::WHOLE),
             Some(typed) => shard(Argument::new("--shard", typed), problems),
@@ -122,7 +121,7 @@ impl Arguments {
             .jobs
             .map(|typed| count("--jobs", &typed, "the number of threads", 1024));
         let block_runs = count("--block", &self.block, "the size of a block", 100_000);
-        let (grid, axes) = (grid?, axes?);
+        let (grid, varied) = (grid?, varied?);
         let named = grid.texts.scenarios.iter().zip(&grid.typed.scenarios);
         let plan = Plan {
             schema: SCHEMA,
@@ -133,9 +132,9 @@ impl Arguments {
                 .collect(),
             system: Named::of(&grid.texts.system, grid.texts.system.name()),
             options: grid.typed.options.clone(),
-            varied: axes.into_iter().map(|axis| axis.path).collect(),
-            typed: self.vary,
-            points: points?,
+            varied: varied.paths,
+            typed: varied.typed,
+            points: varied.points,
             rates_hz: grid.rates.clone(),
             seeds: grid.seeds,
             root_seed: grid.root_seed,

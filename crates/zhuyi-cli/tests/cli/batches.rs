@@ -345,3 +345,32 @@ fn hand_what_cannot_be_a_plan_is_refused_before_anything_is_made() {
         "there is no such file",
     );
 }
+
+#[test]
+fn law_samples_are_drawn_alike_in_every_shard_and_a_replay_makes_the_same_drive() {
+    let bench = Bench::new();
+    let line = "sweep cut-in --fpr 4 --seeds 1 --vary perception.phase_share=uniform(0,1) \
+         --vary actors.cutter.speed_mps=normal(22,1) --samples 8 --root-seed 3 --block 3";
+    bench.out(&format!("{line} --out whole"));
+    bench.out(&format!("{line} --shard 1/2 --out one"));
+    bench.out(&format!("{line} --shard 2/2 --out two"));
+    bench.out("merge one two --out merged");
+    let runs = bench.read("whole/runs.csv");
+    assert_eq!(bench.read("merged/runs.csv"), runs);
+    let mut eighths = Vec::new();
+    for row in runs.lines().skip(1) {
+        let share: f64 = row.split(',').nth(4).unwrap().parse().unwrap();
+        eighths.push((share * 8.0) as u32);
+        let replay = row.rsplit_once(",zhuyi ").unwrap().1;
+        let json: serde_json::Value =
+            serde_json::from_str(&bench.out(&format!("{replay} --json"))).unwrap();
+        let gap = format!(",{:.4},", json["smallest_gap_m"].as_f64().unwrap());
+        assert!(row.contains(&gap), "{gap} is not in {row}");
+    }
+    // A Latin hypercube: each eighth of the phase once.
+    eighths.sort_unstable();
+    assert!(eighths.into_iter().eq(0..8));
+    let other = line.replace("--samples 8", "--samples 9");
+    let ran = bench.zhuyi(&format!("{other} --out one --resume"));
+    refused(&ran, 2, "these parts of its plan differ: points, typed");
+}

@@ -26,9 +26,11 @@ mod error;
 mod make;
 mod merge;
 mod plan;
+mod sample;
 
 pub use blocks::{Folder, Shard};
 pub use error::BatchError;
 pub use make::Batch;
 pub use merge::{Made, merge};
 pub use plan::{Named, Plan, Run, SCHEMA};
+pub use sample::{Distribution, Sampling, samples};

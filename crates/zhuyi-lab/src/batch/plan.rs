@@ -34,7 +34,7 @@ pub struct Plan {
     pub options: String,
     /// Paths of the varied parameters.
     pub varied: Vec<String>,
-    /// The varied parameters as typed.
+    /// The flags that say what is varied, as typed.
     pub typed: Vec<String>,
     /// Points: one value, as typed, for each varied parameter. One empty point where none is.
     pub points: Vec<Vec<String>>,
