@@ -25,6 +25,7 @@ pub mod beyond;
 pub mod calibration {}
 pub mod claims;
 pub mod compare;
+pub mod diff;
 pub mod error;
 pub mod estimators;
 pub mod manifest;

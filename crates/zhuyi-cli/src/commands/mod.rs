@@ -5,6 +5,7 @@ mod beyond;
 mod check;
 mod compare;
 mod delivery;
+mod diff;
 mod estimate;
 mod grid;
 mod list;
@@ -44,8 +45,8 @@ Start here:
   zhuyi reproduce                  the table of the paper (DAC 2022), ours beside the published one
 
 Frame rates are in frames per second and named FPR, frame processing rate, as in the paper.
-Exit codes: 0 done, 1 --check found a difference, 2 bad input, 3 incomplete sweep, 4 reading or
-            writing failed, 130 interrupted."
+Exit codes: 0 done, 1 --check or diff found a difference, 2 bad input, 3 incomplete sweep,
+            4 reading or writing failed, 130 interrupted."
 )]
 pub struct Arguments {
     /// What to do.
@@ -72,6 +73,8 @@ pub enum Command {
     Sweep(Box<sweep::Arguments>),
     /// Merge the shards of one sweep, made on one machine or many, into one table
     Merge(merge::Arguments),
+    /// Tell what changed between two folders of results: MRFs, runs, claims
+    Diff(diff::Arguments),
     /// Find the minimum required frame rate: from it on no seed collides
     Mrf(mrf::Arguments),
     /// Make the paper's table, ours beside the published one
@@ -98,6 +101,7 @@ impl Command {
             Self::Estimate(typed) => Box::new(typed.meant()?),
             Self::Sweep(typed) => Box::new(typed.meant()?),
             Self::Merge(typed) => Box::new(typed.meant()),
+            Self::Diff(typed) => Box::new(typed.meant()),
             Self::Mrf(typed) => Box::new(typed.meant()?),
             Self::Reproduce(typed) => Box::new(typed.meant()?),
             Self::Robustness(typed) => Box::new(typed.meant()?),

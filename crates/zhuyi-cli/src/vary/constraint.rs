@@ -7,8 +7,11 @@ use crate::argument::Argument;
 use crate::fault::Fault;
 use crate::problems::Problems;
 
-/// How two numbers must compare; the longer signs first, as each begins with a shorter one.
-const COMPARISONS: [(&str, fn(&f64, &f64) -> bool); 4] = [
+/// Whether two numbers compare as they must.
+type Compare = fn(&f64, &f64) -> bool;
+
+/// How two numbers can compare; the longer signs first, as each begins with a shorter one.
+const COMPARISONS: [(&str, Compare); 4] = [
     ("<=", f64::le),
     (">=", f64::ge),
     ("<", f64::lt),
@@ -19,7 +22,7 @@ const COMPARISONS: [(&str, fn(&f64, &f64) -> bool); 4] = [
 #[derive(Clone, Copy, Debug)]
 pub struct Constraint {
     left: Operand,
-    compare: fn(&f64, &f64) -> bool,
+    compare: Compare,
     right: Operand,
 }
 

@@ -374,3 +374,21 @@ fn law_samples_are_drawn_alike_in_every_shard_and_a_replay_makes_the_same_drive(
     let ran = bench.zhuyi(&format!("{other} --out one --resume"));
     refused(&ran, 2, "these parts of its plan differ: points, typed");
 }
+
+#[test]
+fn law_what_changed_between_two_folders_is_told() {
+    let bench = Bench::new();
+    let line = "sweep cut-out-fast --fpr 2,30 --seeds 2";
+    bench.out(&format!("{line} --out one"));
+    bench.out(&format!("{line} --out same --block 3"));
+    let same = bench.out("diff one same");
+    assert_eq!(same, "one and same have the same results\n");
+    bench.out(&format!(
+        "{line} --out other --set planner.time_headway_s=4"
+    ));
+    let ran = bench.zhuyi("diff one other");
+    assert_eq!(ran.code, Some(1));
+    assert_eq!(ran.err, "error: one and other differ\n");
+    assert!(ran.out.contains("smallest_gap_m differs in"), "{}", ran.out);
+    assert_eq!(bench.zhuyi("diff one nowhere").code, Some(4));
+}
