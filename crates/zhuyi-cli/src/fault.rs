@@ -147,6 +147,17 @@ pub enum Fault {
         /// The most allowed.
         most: usize,
     },
+    /// A flag that means nothing for a table of runs.
+    #[error("{0} is for traces, and this is a table of runs")]
+    OfTraces(&'static str),
+    /// A file that is no table of runs.
+    #[error("`{path}` is no table of runs: {why}")]
+    NoTable {
+        /// Which.
+        path: String,
+        /// Why.
+        why: zhuyi_report::sweep::table::InvalidTable,
+    },
     /// The name of a new scenario that cannot be one.
     #[error("a name is made of letters, digits, `_` and `-`, got `{0}`")]
     Name(String),
@@ -170,6 +181,7 @@ impl Fault {
             Self::ShardForm(_) => Some("the second of three is 2/3"),
             Self::Name(_) => Some("--output takes a path"),
             Self::Reversed { .. } => Some("the smaller number first"),
+            Self::NoTable { .. } => Some("a folder that zhuyi sweep or reproduce wrote"),
             Self::ManyCombinations { cameras: 0, .. } => {
                 Some("no camera of the system is analysed")
             }

@@ -21,6 +21,7 @@ mod progress;
 mod ranges;
 mod rates;
 mod shell;
+mod sparkline;
 mod tables;
 mod top_view;
 mod vary;

@@ -1,12 +1,14 @@
-//! A scenario's start, seen from above, in characters.
+//! A scenario's start, or a moment of a drive, seen from above, in characters.
 //!
 //! The road is drawn straight and driven from left to right, the leftmost lane on top, as long as the vehicles need; distances
-//! count from the centre of the ego. Left out: jitter from seed to seed, the cameras.
+//! count from the centre of the ego. A vehicle stands in the lane of its centre. Left out: jitter from seed to seed at the
+//! start, the cameras.
 
 use std::fmt::Write;
 
-use zhuyi_core::{Frenet, Lane};
+use zhuyi_core::{Body, Frenet, Lane};
 use zhuyi_scenario::{Scenario, System};
+use zhuyi_sim::trace::Row;
 use zhuyi_world::{Ego, Start};
 
 /// Columns for a lane's name.
@@ -41,16 +43,46 @@ struct Columns {
 
 /// Draws the start of a scenario at most `width` columns wide.
 pub fn top_view(scenario: &Scenario, system: &System, width: usize) -> String {
-    let vehicles = vehicles(scenario, system);
-    let columns = Columns::for_all(&vehicles, width.saturating_sub(GUTTER));
+    draw("The start", scenario, &vehicles(scenario, system), width)
+}
+
+/// Draws a moment of a drive through a scenario at most `width` columns wide, under a title that begins as told.
+pub fn moment(what: &str, scenario: &Scenario, row: &Row<'_>, width: usize) -> String {
+    let road = &scenario.road;
+    let bodies = std::iter::once(row.ego).chain(row.actors);
+    let names = std::iter::once("ego").chain(scenario.actors.iter().map(|a| a.name.as_str()));
+    let vehicle = |(body, name): (&Body, _)| {
+        // Beside the road counts for the lane at its edge.
+        let most_right = road.lane_center(Lane(1));
+        let d = body.road.d.clamp(most_right, -most_right);
+        let mark = match name {
+            "ego" => '>',
+            _ if body.speed > 0.0 => '=',
+            _ => '#',
+        };
+        Vehicle {
+            name,
+            lane: road.lane_at(d).unwrap_or(Lane(1)),
+            rear: body.rear() - row.ego.road.s,
+            front: body.front() - row.ego.road.s,
+            mark,
+        }
+    };
+    let mut vehicles: Vec<_> = bodies.zip(names).map(vehicle).collect();
+    vehicles.sort_by(|one, other| one.rear.total_cmp(&other.rear));
+    draw(what, scenario, &vehicles, width)
+}
+
+fn draw(what: &str, scenario: &Scenario, vehicles: &[Vehicle<'_>], width: usize) -> String {
+    let columns = Columns::for_all(vehicles, width.saturating_sub(GUTTER));
     let mut view = format!(
-        "The start from above, driving to the right; metres ahead of the ego's centre, {} m per column\n",
+        "{what} from above, driving to the right; metres ahead of the ego's centre, {} m per column\n",
         columns.scale
     );
     columns.draw_scale(&mut view);
     columns.draw_line(&mut view, "=");
     for number in (1..=scenario.road.lanes()).rev() {
-        columns.draw_lane(&mut view, Lane(number), &vehicles);
+        columns.draw_lane(&mut view, Lane(number), vehicles);
         columns.draw_line(&mut view, if number > 1 { "-  " } else { "=" });
     }
     view.push_str(">> the ego, == moves, ## stands still\n");

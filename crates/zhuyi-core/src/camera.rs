@@ -1,6 +1,5 @@
 //! Cameras as geometry: where each looks, and how often. What it makes of what it sees is perception's business.
 
-use crate::geometry::wrap_angle;
 use crate::{Body, Footprint, Point, Pose};
 
 /// A camera of the rig: its place in the rig's list, from 0.
@@ -42,9 +41,7 @@ impl Camera {
 
     /// Whether `point` lies in its field of view and range, for a camera at `pose` (from [`Camera::pose`]).
     pub fn covers(&self, pose: Pose, point: Point) -> bool {
-        let (dx, dy) = (point.x - pose.x, point.y - pose.y);
-        dx * dx + dy * dy <= self.range * self.range
-            && wrap_angle(dy.atan2(dx) - pose.heading).abs() <= self.fov / 2.0
+        Cone::new(self, pose).holds(point)
     }
 
     /// Whether the centre or one of the four corners of `body` lies in the field of view and range (reading R14).
@@ -54,12 +51,46 @@ impl Camera {
 
     /// The same of a box at `pose`.
     pub fn covers_box(&self, ego: Pose, footprint: Footprint, pose: Pose) -> bool {
-        let eye = self.pose(ego);
-        self.covers(eye, pose.point())
+        let cone = Cone::new(self, self.pose(ego));
+        cone.holds(pose.point())
             || footprint
                 .corners(pose)
                 .into_iter()
-                .any(|corner| self.covers(eye, corner))
+                .any(|corner| cone.holds(corner))
+    }
+}
+
+/// What a camera covers, ready to be asked for many points: a sector of a circle.
+///
+/// ```text
+/// |p| <= range,   p · axis >= |p| cos(fov/2)
+/// ```
+struct Cone {
+    eye: Point,
+    /// Where it looks.
+    axis: (f64, f64),
+    /// [-] cos(fov/2).
+    edge: f64,
+    /// [m2]
+    range_squared: f64,
+}
+
+impl Cone {
+    fn new(camera: &Camera, pose: Pose) -> Self {
+        let (sin, cos) = pose.heading.sin_cos();
+        Self {
+            eye: pose.point(),
+            axis: (cos, sin),
+            edge: (camera.fov / 2.0).cos(),
+            range_squared: camera.range * camera.range,
+        }
+    }
+
+    fn holds(&self, point: Point) -> bool {
+        let (x, y) = (point.x - self.eye.x, point.y - self.eye.y);
+        let squared = x * x + y * y;
+        squared <= self.range_squared
+            && x * self.axis.0 + y * self.axis.1 >= squared.sqrt() * self.edge
     }
 }
 

@@ -197,6 +197,11 @@ impl Eyes {
         }
     }
 
+    /// Pictures that have been taken and are not ready, in no order.
+    pub fn in_flight(&self) -> &[Frame] {
+        &self.in_flight
+    }
+
     /// How many pictures a camera has taken.
     pub fn frames_exposed(&self, camera: CameraId) -> u64 {
         self.shutters[camera.index()].exposed

@@ -37,6 +37,19 @@ pub struct Tracker {
     view: View,
 }
 
+/// What the ego knows of one actor, confirmed or not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Knowledge {
+    /// The actor as believed to be now; none before it is found and after it is lost.
+    pub track: Option<Track>,
+    /// Whether the planner is told.
+    pub confirmed: bool,
+    /// Consecutive frames with it, of the camera that is nearest to confirming it ...
+    pub found: u32,
+    /// ... and how many that camera needs.
+    pub needed: u32,
+}
+
 /// All that is kept about one actor.
 #[derive(Clone, Debug)]
 struct File {
@@ -105,6 +118,22 @@ impl Tracker {
                 let expected = should_see(&mut self.view, eye, frame, &track, road);
                 file.miss(camera, expected, self.params.lost_frames);
             }
+        }
+    }
+
+    /// What is known of one actor at `now`.
+    pub fn knowledge(&self, actor: ActorId, now: SimTime) -> Knowledge {
+        let file = &self.files[actor.index()];
+        let needed = self.params.eyes.iter().map(|eye| eye.confirm_frames);
+        let counts = file.counts.iter().map(|counts| counts.found).zip(needed);
+        let nearest = counts.min_by_key(|(found, needed)| needed.saturating_sub(*found));
+        let (found, needed) = nearest.unwrap_or_default();
+        let belief = file.belief.as_ref();
+        Knowledge {
+            track: belief.map(|belief| belief.track(actor, now, &self.params)),
+            confirmed: file.confirmed && file.belief.is_some(),
+            found,
+            needed,
         }
     }
 

@@ -63,7 +63,11 @@ fn draw(comparison: &Comparison, text: &mut String) -> Result<(), Failure> {
         .fold(4.0, f64::max);
     // Room for the legend above the lines.
     let top = highest * 1.3;
-    let title = format!("{scenario}: demand on {camera}, option {option}");
+    let of = match *option {
+        "feedback" => "l_0 fixed and literal".to_string(),
+        option => format!("option {option}"),
+    };
+    let title = format!("{scenario}: demand on {camera}, {of}");
     let mut chart = ChartBuilder::on(&root)
         .caption(title, ("sans-serif", 20))
         .margin(14)

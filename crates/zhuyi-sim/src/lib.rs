@@ -6,6 +6,10 @@
 //!     │                                       ▼                                         │
 //!     └── Actuation ◀── [actuator] ◀─Command─ [planner] ◀──────────────────────────────┘
 //!  every step: row ──▶ Trace ──▶ recorded futures ──▶ [estimator] ──▶ demand per camera
+//!
+//!  the second loop, where rates change ([scheduled]):
+//!  Tracks ──▶ [online] ──demand per camera──▶ [scheduler: policy, safety check] ──rates, measures──▶ [cameras], [planner]
+//!  Frames ──▶ [pipeline] where they queue for an accelerator ──▶ [tracker]
 //! ```
 //!
 //! What it guarantees, each shown by a test: the same scenario, system, rates and seeds give the same run to the last bit, at any
@@ -24,6 +28,8 @@ pub mod surroundings;
 pub mod trace;
 pub mod trace_csv;
 mod uncleared;
+pub mod waterfall;
+pub mod witness;
 
 pub use draws::Draws;
 pub use offline::{Hindsight, Peak, Peaks};
@@ -33,3 +39,5 @@ pub use scheduled::{Allocation, Scheduled, equal_parts, known_future};
 pub use simulation::{STEP, Simulation};
 pub use surroundings::{believed, surroundings};
 pub use trace::Trace;
+pub use waterfall::{Cause, Stage, Waterfall};
+pub use witness::Witness;

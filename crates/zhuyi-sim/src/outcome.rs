@@ -6,6 +6,7 @@ use zhuyi_world::crash::CrashError;
 use zhuyi_world::{Crash, Side};
 
 use crate::trace::Trace;
+use crate::witness::Witness;
 
 /// A finished run.
 #[derive(Debug)]
@@ -16,6 +17,8 @@ pub struct Run {
     pub frames: Vec<Frames>,
     /// What was true at every step.
     pub trace: Trace,
+    /// What was known at every step, where it was asked for.
+    pub witness: Option<Witness>,
 }
 
 /// How a run ended.

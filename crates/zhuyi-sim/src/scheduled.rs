@@ -119,6 +119,13 @@ impl<'a> Scheduled<'a> {
         self
     }
 
+    /// The same run, with a record of what it knew.
+    #[must_use]
+    pub fn witnessed(mut self) -> Self {
+        self.simulation = self.simulation.witnessed();
+        self
+    }
+
     /// The run and what was asked for at every decision.
     ///
     /// # Errors

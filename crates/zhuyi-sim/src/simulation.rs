@@ -16,6 +16,7 @@ use crate::draws::Draws;
 use crate::outcome::{Collision, Frames, Outcome, Run};
 use crate::pipeline::Pipeline;
 use crate::trace::Trace;
+use crate::witness::Witness;
 
 /// Physics, planning and recording go in steps of 10 ms; exposures do not (reading R15).
 pub const STEP: SimTime = SimTime::from_millis(10);
@@ -34,6 +35,7 @@ pub struct Simulation<'a> {
     backup: bool,
     forecasts: Vec<Forecast>,
     trace: Trace,
+    witness: Option<Witness>,
 }
 
 impl<'a> Simulation<'a> {
@@ -85,7 +87,16 @@ impl<'a> Simulation<'a> {
             forecasts: Vec::new(),
             trace: Trace::new(scenario.actors.iter().map(|a| a.name.as_str())),
             world,
+            witness: None,
         }
+    }
+
+    /// The same run, with a record of what it knew.
+    #[must_use]
+    pub fn witnessed(mut self) -> Self {
+        let cameras = self.system.perception.eyes.len();
+        self.witness = Some(Witness::new(self.scenario.actors.len(), cameras));
+        self
     }
 
     /// One step of the loop. Returns the first contact of the ego, if there is one.
@@ -107,15 +118,24 @@ impl<'a> Simulation<'a> {
             planned
         };
         self.trace.push(scene, command);
+        if let Some(witness) = &mut self.witness {
+            witness.step(scene.time, &self.tracker, &self.eyes);
+        }
         let contact = self.world.step(command, STEP);
         let now = self.world.scene().time;
         self.eyes
             .expose(now, |instant, scene| self.world.scene_at(instant, scene));
+        if let Some(witness) = &mut self.witness {
+            witness.exposed(self.eyes.in_flight());
+        }
         if let Some(pipeline) = &mut self.pipeline {
             pipeline.process(&mut self.eyes, now);
         }
         while let Some(frame) = self.eyes.deliver(now) {
             self.tracker.update(&frame, road);
+            if let Some(witness) = &mut self.witness {
+                witness.taken(now, &frame);
+            }
         }
         contact
     }
@@ -135,7 +155,10 @@ impl<'a> Simulation<'a> {
     }
 
     /// The end of the run, with the contact that the last tick returned.
-    pub(crate) fn finish(self, contact: Option<Contact>) -> Run {
+    pub(crate) fn finish(mut self, contact: Option<Contact>) -> Run {
+        if let Some(witness) = &mut self.witness {
+            witness.end();
+        }
         let outcome = match contact {
             None => Outcome::Completed,
             Some(contact) => Outcome::Collision(Collision {
@@ -157,6 +180,7 @@ impl<'a> Simulation<'a> {
             outcome,
             frames: frames.collect(),
             trace: self.trace,
+            witness: self.witness,
         }
     }
 

@@ -10,7 +10,8 @@ use zhuyi_core::{Body, Camera, Footprint, FrameRates, Frenet, Pose, Scene, SimTi
 use zhuyi_estimator::{Estimator, PhantomParams, Uncertainty, phantom};
 use zhuyi_perception::axis::{Axis, Measurement};
 use zhuyi_scenario::{Scenario, Source, System, embedded, load};
-use zhuyi_sim::{Draws, Hindsight, Scheduled, Simulation};
+use zhuyi_scheduler::policy;
+use zhuyi_sim::{Allocation, Draws, Hindsight, Scheduled, Simulation};
 
 /// Boxes anywhere around a camera of any kind that look anywhere: the visible share is the same number.
 #[test]
@@ -159,15 +160,19 @@ fn hand_phantoms_past_the_tracks_raise_the_demand_before_the_obstacle_is_in_sigh
     for (name, required) in [("cut-out", 2.0), ("cut-out-fast", 6.0)] {
         let (sight, _, in_hindsight) = before_sight(name, 0.0);
         let (scenario, system) = read(name);
-        let rates = FrameRates::new(vec![30.0; system.perception.eyes.len()]);
         let draws = Draws {
             root: 0,
             scenario: name,
             seed: 0,
         };
         assert_eq!(system.online.phantom_headway, 0.0);
-        let scheduled = Scheduled::watching(&scenario, &system, &rates, draws);
-        let (_, asked) = scheduled.run().expect("no policy, nothing to fail");
+        // A policy that looks at phantoms, with enough for 30 FPR on every camera.
+        let allocation = Allocation {
+            policy: policy("phantom").expect("a policy"),
+            budget: 150.0,
+        };
+        let scheduled = Scheduled::new(&scenario, &system, draws, allocation);
+        let (_, asked) = scheduled.run().expect("no program, nothing to fail");
         let front = asked.iter().map(|asked| {
             let demands = &asked.by_model[0];
             (asked.time.seconds(), demands.zhuyi, demands.phantom)

@@ -7,12 +7,14 @@ mod compare;
 mod delivery;
 mod diff;
 mod estimate;
+mod explain;
 mod grid;
 mod list;
 mod merge;
 mod mrf;
 mod new;
 mod policies;
+mod report;
 mod reproduce;
 mod robustness;
 mod run;
@@ -67,8 +69,12 @@ pub enum Command {
     New(new::Arguments),
     /// Drive once through a scenario and tell what happened
     Run(run::Arguments),
+    /// Tell why a drive ended in a collision, and the smallest change that would have saved it
+    Explain(explain::Arguments),
     /// Estimate what a recorded trace, of a run or of real traffic, asks of every camera at every step
     Estimate(estimate::Arguments),
+    /// Write one HTML file to open in a browser: of a sweep's folder, or of a recorded trace
+    Report(report::Arguments),
     /// Drive through scenarios at many frame rates and write one row per run
     Sweep(Box<sweep::Arguments>),
     /// Merge the shards of one sweep, made on one machine or many, into one table
@@ -98,7 +104,9 @@ impl Command {
             Self::Check(typed) => Box::new(typed.meant()),
             Self::New(typed) => Box::new(typed.meant()?),
             Self::Run(typed) => Box::new(typed.meant()?),
+            Self::Explain(typed) => Box::new(typed.meant()?),
             Self::Estimate(typed) => Box::new(typed.meant()?),
+            Self::Report(typed) => Box::new(typed.meant()?),
             Self::Sweep(typed) => Box::new(typed.meant()?),
             Self::Merge(typed) => Box::new(typed.meant()),
             Self::Diff(typed) => Box::new(typed.meant()),

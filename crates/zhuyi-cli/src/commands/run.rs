@@ -1,8 +1,9 @@
 //! `zhuyi run`: one drive, told in figures.
 
 mod online;
-mod summary;
+pub mod summary;
 mod text;
+mod views;
 
 use std::path::PathBuf;
 
@@ -11,7 +12,9 @@ use zhuyi_core::FrameRates;
 use zhuyi_estimator::grid::MAX_FPR;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::safety::Response;
-use zhuyi_sim::{Allocation, Draws, Scheduled, Simulation, equal_parts, known_future, trace_csv};
+use zhuyi_sim::{
+    Allocation, Asked, Draws, Scheduled, Simulation, equal_parts, known_future, trace_csv,
+};
 
 use super::Task;
 use super::policies::{self, Budget};
@@ -34,6 +37,7 @@ Examples:
   zhuyi run cut-out-fast --fpr front=6,left=2,right=2       rear stays at 30
   zhuyi run cut-in --set actors.cutter.speed_mps=15         one value of the scenario changed
   zhuyi run my-scenario.ron --system my-car.ron --trace drive.csv
+  zhuyi run cut-out-fast --fpr 5 --seed 3 --report drive.html   to be opened in a browser
   zhuyi run cut-in --json | jq .estimate.largest_fpr
 
 The demand is the paper's offline estimate: with the drive on record, the lowest frame rate at which each \
@@ -60,11 +64,11 @@ demand printed, which takes l_0 = 1/rate.")]
 pub struct Arguments {
     /// A scenario's name (see zhuyi list) or the path of a .ron file
     #[arg(value_name = "SCENARIO")]
-    scenario: String,
+    pub scenario: String,
     /// Frame rate in frames per second: one for all cameras (30), or by name (front=30,left=5), where
     /// `front` sets front_120 and front_60; cameras not named keep the system's rate, 30 by default
     #[arg(long, value_name = "RATES", allow_hyphen_values = true)]
-    fpr: Option<String>,
+    pub fpr: Option<String>,
     /// Which of the random drives: camera phases, noise and the actors' starts differ from seed to seed
     #[arg(
         long,
@@ -72,7 +76,7 @@ pub struct Arguments {
         default_value = "0",
         allow_hyphen_values = true
     )]
-    seed: String,
+    pub seed: String,
     /// Root of all randomness: another one makes all seeds other drives
     #[arg(
         long,
@@ -80,16 +84,19 @@ pub struct Arguments {
         default_value = "0",
         allow_hyphen_values = true
     )]
-    root_seed: String,
+    pub root_seed: String,
     #[command(flatten)]
-    setup: Setup,
+    pub setup: Setup,
     /// Write where every vehicle was at every 10 ms step, as CSV
     #[arg(long, value_name = "FILE")]
-    trace: Option<PathBuf>,
+    pub trace: Option<PathBuf>,
     /// Write what the ego itself asks of each camera while it drives, from what it believes and expects, beside
     /// what was needed in hindsight, as CSV
     #[arg(long, value_name = "FILE")]
-    online: Option<PathBuf>,
+    pub online: Option<PathBuf>,
+    /// Write the drive as one HTML file to open in a browser: replay, timelines, worst moments
+    #[arg(long, value_name = "FILE")]
+    pub report: Option<PathBuf>,
     /// Let a policy decide the frame rates while driving: see below
     #[arg(
         long,
@@ -97,7 +104,7 @@ pub struct Arguments {
         requires = "budget",
         conflicts_with = "fpr"
     )]
-    policy: Option<String>,
+    pub policy: Option<String>,
     /// What the policy may spend: frames per second over all cameras
     #[arg(
         long,
@@ -106,7 +113,7 @@ pub struct Arguments {
         group = "budget",
         allow_hyphen_values = true
     )]
-    budget_fps: Option<String>,
+    pub budget_fps: Option<String>,
     /// The same in TOPS of an accelerator, for which the frames then queue
     #[arg(
         long,
@@ -115,25 +122,26 @@ pub struct Arguments {
         group = "budget",
         allow_hyphen_values = true
     )]
-    budget_tops: Option<String>,
+    pub budget_tops: Option<String>,
     /// Print one JSON document instead of text; its names carry their units
     #[arg(long)]
-    json: bool,
+    pub json: bool,
 }
 
 /// A drive to make.
 pub struct Run {
-    scenario: Scenario,
-    system: System,
-    rates: FrameRates,
-    seed: u64,
-    root_seed: u64,
+    pub scenario: Scenario,
+    pub system: System,
+    pub rates: FrameRates,
+    pub seed: u64,
+    pub root_seed: u64,
     trace: Option<Output>,
     online: Option<Output>,
+    report: Option<Output>,
     allocation: Option<Allocation>,
     json: bool,
     /// What was typed, to say what to type next.
-    typed: Arguments,
+    pub typed: Arguments,
 }
 
 impl Arguments {
@@ -155,6 +163,7 @@ impl Arguments {
             None => Some(None),
         };
         let (trace, online) = (place(&self.trace), place(&self.online));
+        let report = place(&self.report);
         let budget = self.budget(&mut problems);
         let policy = match &self.policy {
             Some(name) => policies::named(name, &mut problems).map(Some),
@@ -186,6 +195,7 @@ impl Arguments {
                 root_seed: root_seed?,
                 trace: trace?,
                 online: online?,
+                report: report?,
                 allocation,
                 json: self.json,
                 typed: self,
@@ -193,6 +203,17 @@ impl Arguments {
         };
         let run = run();
         problems.finish(run)
+    }
+
+    /// The drive alone, without what is written or printed.
+    pub fn alone(&self) -> Self {
+        Self {
+            trace: None,
+            online: None,
+            report: None,
+            json: false,
+            ..self.clone()
+        }
     }
 
     /// The budget, if one was typed.
@@ -210,7 +231,7 @@ impl Arguments {
     }
 
     /// This drive as typed, at other rates if given, without what is written or printed.
-    fn words<'a>(&'a self, fpr: Option<&'a str>) -> Vec<&'a str> {
+    pub fn words<'a>(&'a self, fpr: Option<&'a str>) -> Vec<&'a str> {
         let mut words = vec!["zhuyi", "run", &self.scenario];
         if let Some(fpr) = fpr.or(self.fpr.as_deref()) {
             words.extend(["--fpr", fpr]);
@@ -243,6 +264,38 @@ pub fn seed(name: &'static str, typed: &str, problems: &mut Problems) -> Option<
 
 impl Task for Run {
     fn run(mut self: Box<Self>) -> Result<Answer, Error> {
+        let (run, asked) = self.drive(self.report.is_some())?;
+        let summary = Summary::new(&self, &run, &asked);
+        if let (Some(page), Some(output)) = (self.page(&summary, &run, &asked), self.report.take())
+        {
+            output.write(page.as_bytes())?;
+        }
+        if let Some(output) = self.online.take() {
+            let text = online::csv(&self.scenario, &self.system, &run, &asked);
+            output.write(text.as_bytes())?;
+        }
+        if let Some(output) = self.trace.take() {
+            output.write(trace_csv::csv(&run.trace, &self.scenario.road).as_bytes())?;
+        }
+        let text = if self.json {
+            summary.json()
+        } else {
+            let written = [&self.typed.report, &self.typed.trace, &self.typed.online];
+            let written: Vec<_> = written
+                .into_iter()
+                .flatten()
+                .map(PathBuf::as_path)
+                .collect();
+            let drawings = self.drawings(&summary, &run);
+            text::describe(&summary, &drawings, &written, &self.next(&summary))
+        };
+        Ok(Answer::new(text))
+    }
+}
+
+impl Run {
+    /// Makes the drive, with a record of what it knew if wanted. A policy is used up by it.
+    pub fn drive(&mut self, witnessed: bool) -> Result<(zhuyi_sim::Run, Vec<Asked>), Error> {
         let draws = Draws {
             root: self.root_seed,
             scenario: &self.scenario.name,
@@ -261,36 +314,21 @@ impl Task for Run {
             }
             None => None,
         };
-        let (run, asked) = if let Some(scheduled) = scheduled {
-            scheduled.run()?
-        } else {
-            let run = Simulation::new(scenario, system, rates, draws).run();
-            (run, Vec::new())
-        };
-        let summary = Summary::new(&self, &run, &asked);
-        if let Some(output) = self.online.take() {
-            let text = online::csv(&self.scenario, &self.system, &run, &asked);
-            output.write(text.as_bytes())?;
-        }
-        if let Some(output) = self.trace.take() {
-            output.write(trace_csv::csv(&run.trace, &self.scenario.road).as_bytes())?;
-        }
-        let text = if self.json {
-            summary.json()
-        } else {
-            let written = [&self.typed.trace, &self.typed.online];
-            let written: Vec<_> = written
-                .into_iter()
-                .flatten()
-                .map(PathBuf::as_path)
-                .collect();
-            text::describe(&summary, &written, &self.next(&summary))
-        };
-        Ok(Answer::new(text))
+        Ok(match scheduled {
+            Some(scheduled) if witnessed => scheduled.witnessed().run()?,
+            Some(scheduled) => scheduled.run()?,
+            None => {
+                let simulation = Simulation::new(scenario, system, rates, draws);
+                let simulation = if witnessed {
+                    simulation.witnessed()
+                } else {
+                    simulation
+                };
+                (simulation.run(), Vec::new())
+            }
+        })
     }
-}
 
-impl Run {
     /// The future that the policy `clairvoyant` knows: that of the same drive with every camera at 30 FPR.
     fn future(&self, allocation: &Allocation, draws: Draws<'_>) -> Vec<Vec<f64>> {
         if allocation.policy.name() != "clairvoyant" {
@@ -307,6 +345,9 @@ impl Run {
         let typed = &self.typed;
         let asked = summary.estimate.largest_fpr.ceil();
         if summary.collision.is_some() {
+            let mut words = typed.words(None);
+            words[1] = "explain";
+            next.push((shell::line(words), "why, and what would have saved it"));
             if self.rates.all().iter().any(|rate| *rate < 30.0) {
                 next.push((
                     shell::line(typed.words(Some("30"))),
@@ -317,6 +358,11 @@ impl Run {
             let fpr = asked.to_string();
             let line = shell::line(typed.words(Some(&fpr)));
             next.push((line, "at the rate that the estimate asks for"));
+        }
+        if typed.report.is_none() {
+            let file = format!("{}.html", self.scenario.name);
+            let words = typed.words(None).into_iter().chain(["--report", &file]);
+            next.push((shell::line(words), "a replay to open in a browser"));
         }
         if typed.trace.is_none() {
             let file = format!("{}.csv", self.scenario.name);

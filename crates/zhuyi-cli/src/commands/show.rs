@@ -1,7 +1,8 @@
-//! `zhuyi show`: a scenario or a system with nothing left to defaults.
+//! `zhuyi show`: a scenario or a system with nothing left to defaults; above a scenario its start and what it asks for.
 
 use clap::Args;
 use zhuyi_scenario::{Kind, Scenario, Source, System};
+use zhuyi_sim::{Draws, Simulation};
 
 use super::Task;
 use crate::answer::Answer;
@@ -9,6 +10,7 @@ use crate::argument::Argument;
 use crate::error::Error;
 use crate::inputs::{Inputs, Setup, any_source};
 use crate::problems::Problems;
+use crate::sparkline;
 use crate::top_view::top_view;
 
 /// Columns of the top view.
@@ -70,7 +72,7 @@ impl Task for Show {
         let text = match *self {
             Self::System(system) => system.to_ron(),
             Self::Scenario(scenario, system) => {
-                let view = top_view(&scenario, &system, WIDTH);
+                let view = top_view(&scenario, &system, WIDTH) + "\n" + &asked(&scenario, &system);
                 let comment: String = view
                     .lines()
                     .map(|line| format!("// {line}").trim_end().to_string() + "\n")
@@ -80,4 +82,22 @@ impl Task for Show {
         };
         Ok(Answer::new(text))
     }
+}
+
+/// What the drive of seed 0 asks of every camera, at the rates of the system file.
+fn asked(scenario: &Scenario, system: &System) -> String {
+    let draws = Draws {
+        root: 0,
+        scenario: &scenario.name,
+        seed: 0,
+    };
+    let rates = &system.default_rates;
+    let run = Simulation::new(scenario, system, rates, draws).run();
+    let ends = if run.collided() {
+        ", up to its collision"
+    } else {
+        ""
+    };
+    let drawn = sparkline::demands(&run.trace, system, rates, WIDTH - 20);
+    format!("Demand on each camera in the drive of zhuyi run, seed 0{ends}:\n{drawn}")
 }

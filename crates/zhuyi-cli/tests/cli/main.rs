@@ -3,22 +3,28 @@
 //! | file | what it shows |
 //! |---|---|
 //! | `batches` | `sweep` with `--vary`, killed, interrupted and resumed, in shards; `merge` |
+//! | `budgets` | `allocate`: policies under budgets |
 //! | `files` | `list`, `show`, `check`, `new` |
 //! | `one_run` | `run`: text, JSON, trace, rates, settings |
 //! | `many_runs` | `mrf`, `sweep`, `reproduce`, `robustness`, `compare`, `beyond` |
 //! | `recordings` | `estimate`: traces of runs and of real traffic, bad rows |
+//! | `reports` | `run --report`: the data in the page |
+//! | `explanations` | `explain`: stages, changes that save the drive |
 //! | `refusals` | bad input: exit code, place, rule, hint |
 //! | `places` | where results go: unwritable, full, closed, interrupted |
 
 #![expect(clippy::unwrap_used, reason = "a test may")]
 
 mod batches;
+mod budgets;
+mod explanations;
 mod files;
 mod many_runs;
 mod one_run;
 mod places;
 mod recordings;
 mod refusals;
+mod reports;
 
 use std::path::PathBuf;
 use std::process::Command;

@@ -34,6 +34,9 @@ fn hand_the_summary_of_a_drive_without_collision() {
         "\n front_120*   30 FPR",
         "\n rear ",
         "* analysed: at most ",
+        "\nDemand on each camera over time:\n front_120  ▁",
+        " FPR; a column shows the highest demand within it\n",
+        " from above, driving to the right; ",
         "\n  zhuyi run front-right-activity-3 --trace front-right-activity-3.csv ",
         "\n  zhuyi mrf front-right-activity-3 ",
     ] {

@@ -1,5 +1,6 @@
 //! `allocation.md`, and what the command prints: all figures in it are worked out here from the drives, none is typed.
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use super::drive::HORIZON;
@@ -63,7 +64,7 @@ pub(super) fn markdown(plan: &Allocating, allocated: &Allocated) -> String {
         format!(
             "## Leaderboard\n\n{}\n{}",
             leaderboard(plan, &ranked),
-            about_the_leaderboard(plan)
+            about_the_leaderboard(plan, &ranked)
         ),
         format!(
             "## Smallest budget without a collision, by scenario [{}]\n\n{}",
@@ -216,6 +217,7 @@ fn leaderboard(plan: &Allocating, ranked: &[Ranked<'_>]) -> String {
     let shown = budgets.iter().take(SHOWN);
     header.extend(shown.map(|budget| format!("at {}", at_most_two_decimals(budget.amount))));
     header.push("delta-v [m/s]".into());
+    let telling = telling(plan, ranked);
     let line = |ranked: &Ranked<'_>| {
         let there = ranked.safe_from.map(|place| &ranked.tallies[place]);
         let of = |figure: fn(&Tally) -> f64, digits| decimals(there.map(figure), digits);
@@ -229,7 +231,7 @@ fn leaderboard(plan: &Allocating, ranked: &[Ranked<'_>]) -> String {
         ];
         let shown = ranked.tallies.iter().take(SHOWN);
         line.extend(shown.map(|tally| tally.collisions.to_string()));
-        let severity = ranked.tallies.first().and_then(|tally| tally.delta_v);
+        let severity = ranked.tallies[telling].delta_v;
         line.push(decimals(severity, 1));
         line
     };
@@ -237,14 +239,14 @@ fn leaderboard(plan: &Allocating, ranked: &[Ranked<'_>]) -> String {
     markdown_table(&header, &lines)
 }
 
-fn about_the_leaderboard(plan: &Allocating) -> String {
+fn about_the_leaderboard(plan: &Allocating, ranked: &[Ranked<'_>]) -> String {
     let drives = plan.scenarios.len() as u64 * plan.seeds;
-    let smallest = amount(plan, Some(0));
+    let telling = amount(plan, Some(telling(plan, ranked)));
     format!(
         "Safe from: the smallest budget at which, and at every larger one, none of {drives} drives collides, which says little \
          about rarer events: no collision in {drives} drives leaves a chance of {} % per drive at 95 %. Processed, jerk (root mean square) and \
          hardest braking: means over the drives at that budget. At ..: drives that collide at that budget [{}]. Delta-v: mean change \
-         of the ego's velocity in the collisions at {smallest}.\n",
+         of the ego's velocity in the collisions at {telling}, where policies differ the most.\n",
         percent(crate::statistics::bound_without_event(drives as u32)),
         plan.unit()
     )
@@ -321,16 +323,20 @@ fn beside_uniform(plan: &Allocating, ranked: &[Ranked<'_>]) -> String {
     )
 }
 
-/// How good the alarms are at the budget at which most policies collide and not all.
-fn alarms(plan: &Allocating, ranked: &[Ranked<'_>]) -> String {
-    let collides = |place: usize| {
-        let some = ranked.iter().filter(|r| r.tallies[place].collisions > 0);
-        some.count()
+/// The place of the budget at which policies differ the most: by how many counts of collisions there are.
+fn telling(plan: &Allocating, ranked: &[Ranked<'_>]) -> usize {
+    let counts = |place: usize| {
+        let counts = ranked.iter().map(|r| r.tallies[place].collisions);
+        counts.collect::<BTreeSet<u32>>().len()
     };
+    // The smallest of the most telling.
     let places = (0..plan.budgets().len()).rev();
-    let Some(place) = places.max_by_key(|place| collides(*place)) else {
-        return String::new();
-    };
+    places.max_by_key(|place| counts(*place)).unwrap_or(0)
+}
+
+/// How good the alarms are.
+fn alarms(plan: &Allocating, ranked: &[Ranked<'_>]) -> String {
+    let place = telling(plan, ranked);
     let header = cells(&[
         "policy",
         "collisions",

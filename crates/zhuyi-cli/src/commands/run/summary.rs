@@ -227,6 +227,13 @@ impl Summary {
         }
     }
 
+    /// The document as a part of another.
+    pub fn value(&self) -> serde_json::Value {
+        // Numbers, texts and lists under fixed names: nothing that JSON cannot say.
+        serde_json::to_value(self)
+            .unwrap_or_else(|error| unreachable!("a summary is JSON: {error}"))
+    }
+
     /// The document.
     pub fn json(&self) -> String {
         // Numbers, texts and lists under fixed names: nothing that JSON cannot say.
@@ -287,7 +294,8 @@ fn share(frames: u64, seconds: f64) -> f64 {
     frames as f64 / (FULL_RATE * seconds)
 }
 
-fn collision(scenario: &Scenario, run: &zhuyi_sim::Run) -> Option<Collision> {
+/// The first contact of a drive.
+pub fn collision(scenario: &Scenario, run: &zhuyi_sim::Run) -> Option<Collision> {
     let Outcome::Collision(collision) = &run.outcome else {
         return None;
     };

@@ -6,8 +6,13 @@ use std::path::Path;
 use super::summary::{Alarms, AtRest, Collision, Summary};
 use crate::tables::table;
 
-/// The text, with the files that were written, commands to go on with and what they are for.
-pub fn describe(summary: &Summary, written: &[&Path], next: &[(String, &str)]) -> String {
+/// The text, with drawings, the files that were written, commands to go on with and what they are for.
+pub fn describe(
+    summary: &Summary,
+    drawings: &str,
+    written: &[&Path],
+    next: &[(String, &str)],
+) -> String {
     let mut text = format!(
         "{}, seed {}: {}\n\n",
         summary.scenario, summary.seed, summary.title
@@ -17,6 +22,8 @@ pub fn describe(summary: &Summary, written: &[&Path], next: &[(String, &str)]) -
     text.push('\n');
     text += &cameras(summary);
     text += &remarks(summary);
+    text.push('\n');
+    text += drawings;
     if !written.is_empty() {
         let names: Vec<String> = written
             .iter()

@@ -1,0 +1,114 @@
+//! What a run knew: beliefs and rates at every step, and what became of every frame. Recorded for those who look at a run
+//! afterwards; nothing in the loop reads it, and a run without it does not pay for it.
+//!
+//! ```text
+//!  frame:   exposed ──latency, or the accelerator's queue──▶ ready ──next step──▶ taken, unless dropped
+//!  belief:  what the planner was handed at a step, and beside it who was found but not yet confirmed
+//! ```
+//!
+//! Left out: what a frame measured, and why one was dropped.
+
+use zhuyi_core::{ActorId, CameraId, Frame, SimTime};
+use zhuyi_perception::tracker::Knowledge;
+use zhuyi_perception::{Eyes, Tracker};
+
+/// The record of what a run knew. Its rows are those of the trace.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Witness {
+    /// Row after row, one per actor.
+    beliefs: Vec<Knowledge>,
+    /// [Hz] row after row, one per camera.
+    rates: Vec<f64>,
+    frames: Vec<Taken>,
+    actors: usize,
+    cameras: usize,
+}
+
+/// What became of a frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Taken {
+    /// Whose it is.
+    pub camera: CameraId,
+    /// When it was exposed.
+    pub exposed: SimTime,
+    /// The step from which on the ego knew it; none when the run ended before, or it was dropped.
+    pub taken: Option<SimTime>,
+    /// Who was found in it, in order.
+    pub found: Vec<ActorId>,
+}
+
+impl Taken {
+    /// Whether an actor was found in it.
+    pub fn shows(&self, actor: ActorId) -> bool {
+        self.found.contains(&actor)
+    }
+}
+
+impl Witness {
+    /// Of a run with so many actors and cameras, before its first step.
+    pub(crate) fn new(actors: usize, cameras: usize) -> Self {
+        Self {
+            actors,
+            cameras,
+            ..Self::default()
+        }
+    }
+
+    /// A step has been planned at `now`.
+    pub(crate) fn step(&mut self, now: SimTime, tracker: &Tracker, eyes: &Eyes) {
+        let actors = (0..self.actors).map(|place| ActorId(place as u32));
+        self.beliefs
+            .extend(actors.map(|actor| tracker.knowledge(actor, now)));
+        let cameras = (0..self.cameras).map(|place| CameraId(place as u8));
+        self.rates.extend(cameras.map(|camera| eyes.rate(camera)));
+    }
+
+    /// Pictures have been taken; some of them may be known already.
+    pub(crate) fn exposed(&mut self, in_flight: &[Frame]) {
+        for frame in in_flight {
+            if self.record(frame).is_none() {
+                self.frames.push(Taken {
+                    camera: frame.camera,
+                    exposed: frame.exposed,
+                    taken: None,
+                    found: frame.detections.iter().map(|found| found.actor).collect(),
+                });
+            }
+        }
+    }
+
+    /// The tracker has taken a frame.
+    pub(crate) fn taken(&mut self, now: SimTime, frame: &Frame) {
+        if let Some(record) = self.record(frame) {
+            record.taken = Some(now);
+        }
+    }
+
+    /// The record of a frame. Records are made in the order of exposure.
+    fn record(&mut self, frame: &Frame) -> Option<&mut Taken> {
+        let records = self.frames.iter_mut().rev();
+        let mut late = records.take_while(|record| record.exposed >= frame.exposed);
+        late.find(|record| record.camera == frame.camera && record.exposed == frame.exposed)
+    }
+
+    /// The run is over.
+    pub(crate) fn end(&mut self) {
+        self.frames
+            .sort_by_key(|frame| (frame.exposed, frame.camera));
+    }
+
+    /// What was known of the actors at a row, in their order.
+    pub fn beliefs(&self, row: usize) -> &[Knowledge] {
+        &self.beliefs[row * self.actors..(row + 1) * self.actors]
+    }
+
+    /// [Hz] the rates of the cameras at a row, in the order of the rig.
+    pub fn rates(&self, row: usize) -> &[f64] {
+        &self.rates[row * self.cameras..(row + 1) * self.cameras]
+    }
+
+    /// All frames, in the order of exposure.
+    pub fn frames(&self) -> &[Taken] {
+        &self.frames
+    }
+}
