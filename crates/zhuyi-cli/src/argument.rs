@@ -41,6 +41,13 @@ impl<'a> Argument<'a> {
         self.at(place).split(separator).map(&mut trimmed).collect()
     }
 
+    /// A place without the blanks around it.
+    pub fn trimmed(self, place: &Range<usize>) -> Range<usize> {
+        let text = self.at(place);
+        let start = place.start + (text.len() - text.trim_start().len());
+        start..start + text.trim().len()
+    }
+
     /// A whole number within limits.
     pub fn whole(
         self,

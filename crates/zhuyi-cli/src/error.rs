@@ -5,6 +5,7 @@ use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
 
 use zhuyi_lab::LabError;
+use zhuyi_lab::batch::BatchError;
 
 use crate::problems::Problems;
 
@@ -31,6 +32,12 @@ pub enum Error {
     /// The place of the results.
     #[error(transparent)]
     Lab(#[from] LabError),
+    /// The folder of a sweep.
+    #[error(transparent)]
+    Batch(#[from] BatchError),
+    /// Ctrl-C, with what is done and how to go on.
+    #[error("{0}")]
+    Interrupted(String),
     /// `--check` found something.
     #[error("{0}")]
     Unmet(String),
@@ -47,6 +54,15 @@ impl Error {
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Unmet(_) => 1,
+            Self::Interrupted(_) => 130,
+            Self::Batch(batch) => match batch {
+                BatchError::OtherPlan { .. }
+                | BatchError::NoPlan { .. }
+                | BatchError::NoBlocks { .. }
+                | BatchError::Twice { .. } => 2,
+                BatchError::Incomplete { .. } => 3,
+                BatchError::Files(_) | BatchError::Begun { .. } | BatchError::Damaged { .. } => 4,
+            },
             Self::Refused(problems) => problems.exit_code(),
             Self::Write { .. }
             | Self::Exists(_)

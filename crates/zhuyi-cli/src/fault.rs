@@ -101,6 +101,52 @@ pub enum Fault {
     /// A value of a scenario where no scenario is read.
     #[error("a value of a scenario can be set only where --road names one")]
     NoRoad,
+    /// Not the form of a varied parameter.
+    #[error("a varied parameter has the form path=from:to[:step] or path=[a,b,..], got `{0}`")]
+    VaryForm(String),
+    /// A list of values without one.
+    #[error("a varied parameter needs at least one value")]
+    NoValue,
+    /// Not the form of a distribution.
+    #[error("a distribution is uniform(from,to) or normal(mean,deviation), got `{0}`")]
+    Distribution(String),
+    /// Something to draw, and not how many.
+    #[error("`{0}` is drawn, so --samples must say how often")]
+    NoSamples(String),
+    /// How many to draw, and nothing to draw.
+    #[error("nothing is drawn: --vary has no uniform(..) or normal(..)")]
+    NothingDrawn,
+    /// More parameters than a sequence has bases for.
+    #[error("halton draws at most {most} parameters, got {got}")]
+    ManyDrawn {
+        /// The most allowed.
+        most: usize,
+        /// How many there are.
+        got: usize,
+    },
+    /// Not the form of a constraint.
+    #[error("a constraint compares two varied parameters or numbers, as a<b or a>=3, got `{0}`")]
+    Comparison(String),
+    /// A constraint on a parameter that is no number.
+    #[error("`{path}` is not only numbers: it has `{value}`")]
+    Incomparable {
+        /// The parameter.
+        path: String,
+        /// A value of it.
+        value: String,
+    },
+    /// A constraint that nothing fulfils.
+    #[error("no combination of values is left")]
+    NoPoint,
+    /// Not the form of a shard.
+    #[error("a shard has the form k/n, got `{0}`")]
+    ShardForm(String),
+    /// More points than can be kept.
+    #[error("the varied parameters make more than {most} combinations")]
+    ManyPoints {
+        /// The most allowed.
+        most: usize,
+    },
     /// A flag that means nothing for a table of runs.
     #[error("{0} is for traces, and this is a table of runs")]
     OfTraces(&'static str),
@@ -132,6 +178,7 @@ impl Fault {
     pub fn hint(&self) -> Option<&str> {
         match self {
             Self::Unknown { hint, .. } => Some(hint),
+            Self::ShardForm(_) => Some("the second of three is 2/3"),
             Self::Name(_) => Some("--output takes a path"),
             Self::Reversed { .. } => Some("the smaller number first"),
             Self::NoTable { .. } => Some("a folder that zhuyi sweep or reproduce wrote"),

@@ -33,6 +33,19 @@ pub struct Inputs {
     pub scenarios: Option<Vec<Scenario>>,
     /// The ego.
     pub system: Option<System>,
+    /// What both were read from.
+    pub texts: Option<Texts>,
+}
+
+/// What scenarios and a system are read from.
+#[derive(Clone, Debug)]
+pub struct Texts {
+    /// The scenarios, in the order of being named.
+    pub scenarios: Vec<Source>,
+    /// The system.
+    pub system: Source,
+    /// What is set in all of them.
+    pub settings: Vec<Setting>,
 }
 
 impl Inputs {
@@ -57,6 +70,7 @@ impl Inputs {
             return Self {
                 scenarios: None,
                 system: None,
+                texts: None,
             };
         };
         let system = problems.take(System::read(&of_system, &settings));
@@ -69,6 +83,11 @@ impl Inputs {
         Self {
             scenarios: (scenarios.len() == typed.len()).then_some(scenarios),
             system,
+            texts: Some(Texts {
+                scenarios: sources,
+                system: of_system,
+                settings,
+            }),
         }
     }
 }

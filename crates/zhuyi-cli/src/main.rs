@@ -1,7 +1,7 @@
 //! The `zhuyi` command: arguments as typed -> as meant -> run -> write.
 //!
 //! Results go to standard output, progress and diagnostics to standard error. Exit codes: 0 done, 1 an asserted expectation
-//! failed (`--check`), 2 bad input, 4 reading or writing failed, 130 interrupted. A collision is a result, not a failure.
+//! failed (`--check`), 2 bad input, 3 incomplete sweep, 4 reading or writing failed, 130 interrupted. A collision is a result, not a failure.
 //!
 //! ```text
 //!  argv ─[clap]─▶ Arguments ─[meant]─▶ Task ─[run]─▶ Answer ─[print]─▶ exit code
@@ -24,6 +24,7 @@ mod shell;
 mod sparkline;
 mod tables;
 mod top_view;
+mod vary;
 
 use std::process::ExitCode;
 

@@ -26,6 +26,8 @@ pub enum Attempt {
     Rename,
     /// Read a file.
     Read,
+    /// Remove what is not needed any more.
+    Remove,
 }
 
 impl std::fmt::Display for Attempt {
@@ -35,6 +37,7 @@ impl std::fmt::Display for Attempt {
             Self::Write => "write",
             Self::Rename => "put in place",
             Self::Read => "read",
+            Self::Remove => "remove",
         })
     }
 }

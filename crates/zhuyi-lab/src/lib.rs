@@ -6,6 +6,7 @@
 //!                     └──▶ [reruns] at the rates asked for ──▶ [runs] ──▶ runs.csv        [manifest] ──▶ manifest.json
 //!  Plan ──▶ [beyond]: the estimator's options beyond the paper ──▶ beyond.md, lines for figures
 //!  Plan ──▶ [robustness]: one thing changed at a time, fresh seeds ──▶ robustness.md
+//!  batch::Plan ──▶ [batch]: any parameter varied, in blocks that survive a kill ──▶ plan.json, blocks/, runs.csv
 //!  PerCamera ──▶ [per_camera]: a rate of its own for each camera ──▶ mrf_per_camera.md, mrf_per_camera.csv
 //!  Allocating ──▶ [allocate]: policies under budgets on the same drives ──▶ allocation.md, allocation.csv
 //!  Plan ──▶ [course], [foresight], [sensitivity], [throughput]: claims 5 to 9 ──▶ claims.md, numbers for figures
@@ -20,6 +21,7 @@
 //! cells changes nothing; a run alone is the run of its sweep; no number of the paper's table is known outside [`paper`].
 
 pub mod allocate;
+pub mod batch;
 pub mod beyond;
 #[doc = include_str!("calibration.md")]
 pub mod calibration {}
@@ -27,6 +29,7 @@ pub mod claims;
 pub mod committed;
 pub mod compare;
 pub mod course;
+pub mod diff;
 pub mod error;
 pub mod estimators;
 pub mod foresight;

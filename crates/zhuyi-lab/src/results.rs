@@ -135,11 +135,22 @@ fn first_difference(file: &'static str, expected: &str, found: &[u8]) -> Option<
     None
 }
 
-/// A complete file that does not have its name yet; gone when dropped.
-struct Draft(PathBuf);
+/// A file that does not have its name yet; gone when dropped.
+pub(crate) struct Draft(PathBuf);
 
 impl Draft {
-    fn write(dir: &Path, name: &str, text: &str) -> Result<Self, LabError> {
+    /// A complete one.
+    pub(crate) fn write(dir: &Path, name: &str, text: &str) -> Result<Self, LabError> {
+        let (draft, mut file) = Self::begin(dir, name)?;
+        let written = file
+            .write_all(text.as_bytes())
+            .and_then(|()| file.sync_all());
+        written.map_err(Attempt::Write.on(&draft.0))?;
+        Ok(draft)
+    }
+
+    /// One to be written to piece by piece, and flushed to the disk before it is given its name.
+    pub(crate) fn begin(dir: &Path, name: &str) -> Result<(Self, File), LabError> {
         let path = dir.join(name);
         let (parent, file) = (path.parent().unwrap_or(dir), path.file_name());
         // A folder of its own, never that of the results: where that has vanished something is wrong.
@@ -148,15 +159,17 @@ impl Draft {
         }
         let file = file.unwrap_or_default().to_string_lossy();
         let draft = Self(parent.join(format!(".{file}.{}.draft", std::process::id())));
-        let written = File::create(&draft.0).and_then(|mut file| {
-            file.write_all(text.as_bytes())?;
-            file.sync_all()
-        });
-        written.map_err(Attempt::Write.on(&draft.0))?;
-        Ok(draft)
+        let file = File::create(&draft.0).map_err(Attempt::Write.on(&draft.0))?;
+        Ok((draft, file))
     }
 
-    fn rename(self, path: &Path) -> Result<(), LabError> {
+    /// Where it stands.
+    pub(crate) fn path(&self) -> &Path {
+        &self.0
+    }
+
+    /// Gives it its name.
+    pub(crate) fn rename(self, path: &Path) -> Result<(), LabError> {
         fs::rename(&self.0, path).map_err(Attempt::Rename.on(path))
     }
 }

@@ -1,6 +1,7 @@
 //! `runs.csv`: one row per run, with the command that replays it. An empty field says that there is no such figure.
 
 use zhuyi_estimator::grid::MAX_FPR;
+use zhuyi_scenario::System;
 use zhuyi_world::Side;
 
 use crate::estimators::TABLE;
@@ -32,15 +33,18 @@ impl Typed {
 
     /// The command that runs a cell again.
     pub fn replay(&self, experiment: &Experiment<'_>, cell: &Cell) -> String {
-        let (scenario, rates) = (
-            &self.scenarios[cell.scenario],
-            spelt(experiment.system, &cell.rates),
-        );
-        let root = match experiment.root_seed {
+        let rates = spelt(experiment.system, &cell.rates);
+        self.command(cell.scenario, &rates, cell.seed, experiment.root_seed)
+    }
+
+    /// The command of a run.
+    pub(crate) fn command(&self, scenario: usize, rates: &str, seed: u64, root: u64) -> String {
+        let scenario = &self.scenarios[scenario];
+        let root = match root {
             0 => String::new(),
             root => format!("--root-seed {root}"),
         };
-        let run = format!("zhuyi run {scenario} --fpr {rates} --seed {}", cell.seed);
+        let run = format!("zhuyi run {scenario} --fpr {rates} --seed {seed}");
         let parts = [run, root, self.options.clone()];
         let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
         parts.join(" ")
@@ -59,96 +63,145 @@ pub fn csv_typed(
     typed: &Typed,
     parts: &[(&str, &[Record])],
 ) -> String {
-    let mut text = header(experiment);
+    let columns = Columns::of(experiment.system);
+    let mut text = columns.header();
     for (part, records) in parts {
         for record in *records {
-            text += &row(experiment, typed, part, record);
+            text += &columns.row(experiment, typed, part, &[], record);
         }
     }
     text
 }
 
-fn header(experiment: &Experiment<'_>) -> String {
-    let cameras = || {
-        experiment
-            .system
-            .perception
-            .eyes
-            .iter()
-            .map(|eye| &eye.camera.name)
-    };
-    let run = ["scenario", "part", "fpr_hz", "seed", "outcome"];
-    let collision = [
-        "collision_time_s",
-        "collision_actor",
-        "collision_side",
-        "impact_speed_mps",
-        "ego_delta_v_mps",
-        "actor_delta_v_mps",
-    ];
-    let extremes = [
-        "duration_s",
-        "smallest_gap_m",
-        "smallest_ttc_s",
-        "hardest_braking_mps2",
-    ];
-    let demands = [
-        "largest_estimate_fpr",
-        "largest_sum_fpr",
-        "beyond_grid",
-        "unavoidable",
-        "alongside",
-    ];
-    let fixed = run
-        .into_iter()
-        .chain(collision)
-        .chain(extremes)
-        .map(String::from);
-    let frames = cameras().map(|name| format!("{name}_frames"));
-    let shares = cameras().map(|name| format!("{name}_share_of_30fpr"));
-    let last = demands.into_iter().chain(["replay"]).map(String::from);
-    let names: Vec<String> = fixed.chain(frames).chain(shares).chain(last).collect();
-    csv_row(names.iter().map(String::as_str))
+/// The columns of a table of runs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Columns {
+    /// The names of the cameras, in the order of the rig.
+    pub(crate) cameras: Vec<String>,
+    /// What differs from run to run besides the scenario, the rates and the seed.
+    pub(crate) varied: Vec<String>,
+    /// Whether there is a column that says why a run could not be made.
+    pub(crate) reason: bool,
 }
 
-fn row(experiment: &Experiment<'_>, typed: &Typed, part: &str, record: &Record) -> String {
-    let cell = &record.cell;
-    let scenario = &experiment.scenarios[cell.scenario];
-    let outcome = if record.collision.is_some() {
-        "collision"
-    } else {
-        "completed"
-    };
-    let mut fields = vec![
-        scenario.name.clone(),
-        part.to_string(),
-        spelt(experiment.system, &cell.rates),
-        cell.seed.to_string(),
-        outcome.to_string(),
-    ];
-    fields.extend(collision_fields(experiment, record));
+/// The columns by which a run is named, before those of what is varied.
+pub(crate) const NAMED_BY: [&str; 4] = ["scenario", "part", "fpr_hz", "seed"];
+/// The column behind those.
+pub(crate) const OUTCOME: &str = "outcome";
+
+impl Columns {
+    /// The columns for the cameras of a system.
+    pub(crate) fn of(system: &System) -> Self {
+        let eyes = system.perception.eyes.iter();
+        Self {
+            cameras: eyes.map(|eye| eye.camera.name.clone()).collect(),
+            varied: Vec::new(),
+            reason: false,
+        }
+    }
+
+    fn names(&self) -> Vec<String> {
+        let collision = [
+            "collision_time_s",
+            "collision_actor",
+            "collision_side",
+            "impact_speed_mps",
+            "ego_delta_v_mps",
+            "actor_delta_v_mps",
+        ];
+        let extremes = [
+            "duration_s",
+            "smallest_gap_m",
+            "smallest_ttc_s",
+            "hardest_braking_mps2",
+        ];
+        let demands = [
+            "largest_estimate_fpr",
+            "largest_sum_fpr",
+            "beyond_grid",
+            "unavoidable",
+            "alongside",
+        ];
+        let mut names: Vec<String> = NAMED_BY.map(String::from).into();
+        names.extend(self.varied.iter().cloned());
+        names.push(OUTCOME.to_string());
+        names.extend(collision.into_iter().chain(extremes).map(String::from));
+        names.extend(self.cameras.iter().map(|name| format!("{name}_frames")));
+        let shares = self.cameras.iter();
+        names.extend(shares.map(|name| format!("{name}_share_of_30fpr")));
+        names.extend(demands.map(String::from));
+        names.extend(self.reason.then(|| "reason".to_string()));
+        names.push("replay".to_string());
+        names
+    }
+
+    /// The header.
+    pub(crate) fn header(&self) -> String {
+        csv_row(self.names().iter().map(String::as_str))
+    }
+
+    /// The row of a run, with the values of what is varied.
+    pub(crate) fn row(
+        &self,
+        experiment: &Experiment<'_>,
+        typed: &Typed,
+        part: &str,
+        values: &[String],
+        record: &Record,
+    ) -> String {
+        let cell = &record.cell;
+        let scenario = &experiment.scenarios[cell.scenario];
+        let outcome = if record.collision.is_some() {
+            "collision"
+        } else {
+            "completed"
+        };
+        let mut fields = vec![
+            scenario.name.clone(),
+            part.to_string(),
+            spelt(experiment.system, &cell.rates),
+            cell.seed.to_string(),
+        ];
+        fields.extend(values.iter().cloned());
+        fields.push(outcome.to_string());
+        fields.extend(collision_fields(experiment, record));
+        fields.extend(figures(record));
+        fields.extend(demand_fields(record));
+        fields.extend(self.reason.then(String::new));
+        fields.push(typed.replay(experiment, cell));
+        csv_row(fields.iter().map(String::as_str))
+    }
+
+    /// The row of a run that could not be made: `named` are the fields before the outcome.
+    pub(crate) fn without_figures(
+        &self,
+        named: &[String],
+        outcome: &str,
+        reason: &str,
+        replay: &str,
+    ) -> String {
+        let known = named.len() + 3;
+        let nothing = vec![""; self.names().len() - known];
+        let named = named.iter().map(String::as_str).chain([outcome]);
+        csv_row(named.chain(nothing).chain([reason, replay]))
+    }
+}
+
+/// How close a run was and what its cameras did.
+fn figures(record: &Record) -> Vec<String> {
     let extremes = &record.extremes;
     let duration = record.end.seconds();
-    fields.push(decimals(Some(duration), 4));
-    fields.push(decimals(extremes.gap, 4));
-    fields.push(decimals(extremes.time_to_collision, 4));
-    fields.push(decimals(Some(extremes.decel), 4));
-    fields.extend(
-        record
-            .frames
-            .iter()
-            .map(|frames| frames.processed.to_string()),
-    );
+    let mut fields = vec![
+        decimals(Some(duration), 4),
+        decimals(extremes.gap, 4),
+        decimals(extremes.time_to_collision, 4),
+        decimals(Some(extremes.decel), 4),
+    ];
+    let processed = || record.frames.iter().map(|frames| frames.processed);
+    fields.extend(processed().map(|processed| processed.to_string()));
     let share = |processed: u64| (duration > 0.0).then(|| processed as f64 / (MAX_FPR * duration));
-    fields.extend(
-        record
-            .frames
-            .iter()
-            .map(|frames| decimals(share(frames.processed), 4)),
-    );
-    fields.extend(demand_fields(record));
-    fields.push(typed.replay(experiment, cell));
-    csv_row(fields.iter().map(String::as_str))
+    fields.extend(processed().map(|processed| decimals(share(processed), 4)));
+    fields
 }
 
 fn collision_fields(experiment: &Experiment<'_>, record: &Record) -> [String; 6] {

@@ -59,8 +59,11 @@ impl Eyes {
         let cameras = (0..params.eyes.len()).map(|index| CameraId(index as u8));
         let shutters = cameras.map(|camera| {
             let actors = (0..start.actors.len()).map(|index| ActorId(index as u32));
+            // Every purpose has a stream of its own, so that none which is not drawn moves another.
+            let drawn = || draws(Purpose::Phase(camera)).random();
+            let phase = params.eyes[camera.index()].phase.unwrap_or_else(drawn);
             Shutter {
-                clock: Clock::new(rates.of(camera), draws(Purpose::Phase(camera)).random()),
+                clock: Clock::new(rates.of(camera), phase),
                 streams: actors
                     .map(|actor| draws(Purpose::Detection(camera, actor)))
                     .collect(),

@@ -11,6 +11,8 @@ pub struct Eye {
     pub latency: Option<f64>,
     /// K, consecutive frames that confirm an actor (reading R16); at least 1.
     pub confirm_frames: u32,
+    /// [-] share of its period that passes until its first exposure; drawn for each run unless set (reading R18).
+    pub phase: Option<f64>,
 }
 
 /// Detection, confirmation and tracking.

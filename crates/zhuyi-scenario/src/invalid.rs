@@ -30,6 +30,23 @@ impl Invalid {
         self
     }
 
+    /// Every violation on one line, as a field of a table has room for: `default.ron:36:9: planner needs `min_gap_m``.
+    pub fn brief(&self) -> String {
+        let brief: Vec<String> = self
+            .violations
+            .iter()
+            .map(|violation| {
+                let (line, column) = violation.line_column();
+                format!(
+                    "{}:{line}:{column}: {}",
+                    violation.source_name(),
+                    violation.rule
+                )
+            })
+            .collect();
+        brief.join("; ").replace(['\n', '\r'], " ")
+    }
+
     /// Every violation with its line and a caret; coloured for terminals if wanted. [`fmt::Display`] is the plain form.
     pub fn render(&self, coloured: bool) -> String {
         let renderer = if coloured {

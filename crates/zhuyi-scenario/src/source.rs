@@ -141,7 +141,15 @@ impl Setting {
     /// # Errors
     /// When there is no `=`, the path belongs to neither kind of file, or the value is no RON.
     pub fn parse(argument: &str) -> Result<Self, Invalid> {
-        let source = Source::new(Self::SOURCE, argument);
+        Self::parse_as(Self::SOURCE, argument)
+    }
+
+    /// The same where errors call it by another name, as `--vary`.
+    ///
+    /// # Errors
+    /// As [`Setting::parse`].
+    pub fn parse_as(name: &str, argument: &str) -> Result<Self, Invalid> {
+        let source = Source::new(name, argument);
         let text = source.text();
         let Some(equals) = text.find('=') else {
             return Err(Violation::new(&source, 0..argument.len(), Rule::NoEquals).into());
@@ -176,12 +184,27 @@ impl Setting {
         &self.source
     }
 
-    pub(crate) fn path(&self) -> &str {
+    /// Which value it is.
+    pub fn path(&self) -> &str {
         &self.source.text()[self.path.clone()]
     }
 
-    pub(crate) fn value(&self) -> &str {
+    /// The value, as RON.
+    pub fn value(&self) -> &str {
         &self.source.text()[self.value.clone()]
+    }
+
+    /// The entries of the value, as RON, if it is a list.
+    ///
+    /// ```
+    /// use zhuyi_scenario::Setting;
+    /// let grids = Setting::parse("estimator.grid=[Ms33, Fps]")?;
+    /// assert_eq!(grids.entries().unwrap(), ["Ms33", "Fps"]);
+    /// assert!(Setting::parse("estimator.grid=Fps")?.entries().is_none());
+    /// # Ok::<(), zhuyi_scenario::Invalid>(())
+    /// ```
+    pub fn entries(&self) -> Option<Vec<&str>> {
+        syntax::entries(self.value())
     }
 
     pub(crate) fn path_span(&self) -> Range<usize> {

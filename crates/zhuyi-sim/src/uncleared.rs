@@ -172,6 +172,7 @@ mod tests {
             },
             latency: None,
             confirm_frames: 5,
+            phase: None,
         }];
         let params = PhantomParams {
             footprint: CAR,

@@ -15,7 +15,7 @@ use zhuyi_scenario::{Scenario, System};
 use super::run::seed;
 use crate::argument::Argument;
 use crate::error::Error;
-use crate::inputs::{Inputs, Setup};
+use crate::inputs::{Inputs, Setup, Texts};
 use crate::interrupt;
 use crate::problems::Problems;
 use crate::progress::Bar;
@@ -69,6 +69,8 @@ pub struct Grid {
     pub root_seed: u64,
     /// How to type one of the drives.
     pub typed: Typed,
+    /// What the scenarios and the system were read from.
+    pub texts: Texts,
 }
 
 /// A number of seeds as typed.
@@ -103,6 +105,7 @@ impl Arguments {
             seeds: seeds?,
             root_seed: root_seed?,
             typed: self.typed(),
+            texts: read.texts?,
         })
     }
 
@@ -137,6 +140,16 @@ impl Arguments {
     }
 }
 
+/// The columns of [`required_cells`].
+pub const REQUIRED: [&str; 3] = ["MRF", "drives that collided", "safe below the MRF"];
+
+/// The minimum required rate with the drives that it rests on, from rates with the number of seeds that collided.
+pub fn required_cells(collisions: &[(u32, u32)]) -> [String; 3] {
+    let Required { mrf, safe_below } = required(collisions);
+    let safe_below: Vec<String> = safe_below.iter().map(u32::to_string).collect();
+    [mrf.to_string(), told(collisions), safe_below.join(", ")]
+}
+
 impl Grid {
     /// What stays the same over all drives.
     pub fn experiment(&self) -> Experiment<'_> {
@@ -164,26 +177,13 @@ impl Grid {
 
     /// The minimum required rate of each scenario, with the drives that it rests on.
     pub fn table(&self, records: &[Record]) -> String {
-        let mut rows = table(
-            &[
-                "scenario",
-                "MRF",
-                "drives that collided",
-                "safe below the MRF",
-            ],
-            &[1],
-        );
+        let names: Vec<&str> = ["scenario"].into_iter().chain(REQUIRED).collect();
+        let mut rows = table(&names, &[1]);
         let per_scenario = self.rates.len() * self.seeds as usize;
         for (scenario, records) in self.scenarios.iter().zip(records.chunks(per_scenario)) {
             let collisions = self.collisions(records);
-            let Required { mrf, safe_below } = required(&collisions);
-            let safe_below: Vec<String> = safe_below.iter().map(u32::to_string).collect();
-            rows.add_row([
-                scenario.name.clone(),
-                mrf.to_string(),
-                told(&collisions),
-                safe_below.join(", "),
-            ]);
+            let name = scenario.name.clone();
+            rows.add_row([name].into_iter().chain(required_cells(&collisions)));
         }
         rows.trim_fmt() + "\n"
     }
@@ -206,12 +206,15 @@ impl Grid {
 
     /// What a table of this kind says and what not.
     pub fn legend(&self) -> String {
-        let bound = 100.0 * bound_without_event(self.seeds as u32);
-        format!(
-            "MRF, the minimum required rate: at it, and at every higher one of the {} tested, none of {} seeds\n\
-             collided. So the chance of a collision there is below {bound:.0} % (with 95 % confidence), not zero.\n",
-            self.rates.len(),
-            self.seeds
-        )
+        legend(self.rates.len(), self.seeds)
     }
+}
+
+/// What a table of minimum required rates says and what not.
+pub fn legend(rates: usize, seeds: u64) -> String {
+    let bound = 100.0 * bound_without_event(seeds as u32);
+    format!(
+        "MRF, the minimum required rate: at it, and at every higher one of the {rates} tested, none of {seeds} seeds\n\
+         collided. So the chance of a collision there is below {bound:.0} % (with 95 % confidence), not zero.\n"
+    )
 }

@@ -5,11 +5,13 @@ mod beyond;
 mod check;
 mod compare;
 mod delivery;
+mod diff;
 mod estimate;
 mod explain;
 mod figures;
 mod grid;
 mod list;
+mod merge;
 mod mrf;
 mod new;
 mod policies;
@@ -46,8 +48,8 @@ Start here:
   zhuyi reproduce                  the table of the paper (DAC 2022), ours beside the published one
 
 Frame rates are in frames per second and named FPR, frame processing rate, as in the paper.
-Exit codes: 0 done, 1 --check found a difference, 2 bad input, 4 reading or writing failed,
-            130 interrupted."
+Exit codes: 0 done, 1 --check or diff found a difference, 2 bad input, 3 incomplete sweep,
+            4 reading or writing failed, 130 interrupted."
 )]
 pub struct Arguments {
     /// What to do.
@@ -75,7 +77,11 @@ pub enum Command {
     /// Write one HTML file to open in a browser: of a sweep's folder, or of a recorded trace
     Report(report::Arguments),
     /// Drive through scenarios at many frame rates and write one row per run
-    Sweep(sweep::Arguments),
+    Sweep(Box<sweep::Arguments>),
+    /// Merge the shards of one sweep, made on one machine or many, into one table
+    Merge(merge::Arguments),
+    /// Tell what changed between two folders of results: MRFs, runs, claims
+    Diff(diff::Arguments),
     /// Find the minimum required frame rate: from it on no seed collides
     Mrf(mrf::Arguments),
     /// Make the paper's table, ours beside the published one
@@ -105,6 +111,8 @@ impl Command {
             Self::Estimate(typed) => Box::new(typed.meant()?),
             Self::Report(typed) => Box::new(typed.meant()?),
             Self::Sweep(typed) => Box::new(typed.meant()?),
+            Self::Merge(typed) => Box::new(typed.meant()),
+            Self::Diff(typed) => Box::new(typed.meant()),
             Self::Mrf(typed) => Box::new(typed.meant()?),
             Self::Reproduce(typed) => Box::new(typed.meant()?),
             Self::Robustness(typed) => Box::new(typed.meant()?),

@@ -2,6 +2,7 @@
 //!
 //! | file | what it shows |
 //! |---|---|
+//! | `batches` | `sweep` with `--vary`, killed, interrupted and resumed, in shards; `merge` |
 //! | `budgets` | `allocate`: policies under budgets |
 //! | `files` | `list`, `show`, `check`, `new` |
 //! | `one_run` | `run`: text, JSON, trace, rates, settings |
@@ -14,6 +15,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may")]
 
+mod batches;
 mod budgets;
 mod explanations;
 mod files;

@@ -99,7 +99,7 @@ fn law_a_sweep_has_one_row_per_run_and_its_command_makes_it_again() {
     let line = "sweep cut-out-fast mine/near.ron --fpr 1:30:29 --seeds 2 --root-seed 5 --set planner.min_gap_m=2.5 --out made/here";
     let out = bench.out(line);
     assert!(out.contains("8 drives in made/here/runs.csv"), "{out}");
-    assert_eq!(bench.names("made/here"), ["runs.csv"]);
+    assert_eq!(bench.names("made/here"), ["plan.json", "runs.csv"]);
     let runs = bench.read("made/here/runs.csv");
     let rows: Vec<&str> = runs.lines().collect();
     assert_eq!(rows.len(), 1 + 8);

@@ -152,18 +152,8 @@ fn hand_who_closes_the_pipe_has_seen_enough() {
 
 #[cfg(unix)]
 #[test]
-fn hand_an_interrupted_sweep_leaves_no_file() {
-    leaves_no_file_when_interrupted("sweep cut-in --fpr 30 --seeds 100000 --out out");
-}
-
-#[cfg(unix)]
-#[test]
 fn hand_an_interrupted_search_per_camera_leaves_no_file() {
-    leaves_no_file_when_interrupted("mrf --per-camera cut-in --seeds 100000 --out out");
-}
-
-#[cfg(unix)]
-fn leaves_no_file_when_interrupted(line: &str) {
+    let line = "mrf --per-camera cut-in --seeds 100000 --out out";
     let bench = Bench::new();
     let mut command = bench.command(line);
     let mut child = command

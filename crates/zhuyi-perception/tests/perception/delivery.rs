@@ -66,6 +66,26 @@ fn hand_latency_may_be_set_apart_from_the_period() {
 }
 
 #[test]
+fn hand_a_set_phase_replaces_the_drawn_one_and_moves_no_other() {
+    let set = Eye {
+        phase: Some(0.25),
+        ..eye(0.0, 120.0)
+    };
+    let drawn = || eye(180.0, 120.0);
+    let first = |frames: &[Frame], camera| of(frames, camera)[0].exposed;
+    let some = frames(&perception(vec![set, drawn()]), &[20.0, 20.0], millis(200));
+    // A quarter of 50 ms.
+    assert_eq!(first(&some, CameraId(0)).nanos(), 12_500_000);
+    let none = frames(
+        &perception(vec![eye(0.0, 120.0), drawn()]),
+        &[20.0, 20.0],
+        millis(200),
+    );
+    assert_ne!(first(&none, CameraId(0)).nanos(), 12_500_000);
+    assert_eq!(first(&some, CameraId(1)), first(&none, CameraId(1)));
+}
+
+#[test]
 fn law_frames_come_in_order_of_ready_then_camera() {
     let slow = Eye {
         latency: Some(0.3),

@@ -35,6 +35,7 @@ pub fn eye(yaw_degrees: f64, fov_degrees: f64) -> Eye {
         camera: camera(yaw_degrees, fov_degrees),
         latency: None,
         confirm_frames: 5,
+        phase: None,
     }
 }
 

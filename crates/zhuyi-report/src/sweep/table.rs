@@ -61,6 +61,11 @@ pub enum InvalidTable {
         /// What is wrong.
         what: String,
     },
+    /// A sweep of more than rates and seeds.
+    #[error(
+        "it varies `{0}`; a report shows a grid of rates and seeds: keep the rows of one value and drop the column"
+    )]
+    Varied(String),
     /// Nothing to show.
     #[error("it has no run of a grid of rates and seeds")]
     Empty,
@@ -98,6 +103,11 @@ impl Table {
         for (place, name) in places.iter_mut().zip(COLUMNS) {
             let found = header.iter().position(|column| column == name);
             *place = found.ok_or(InvalidTable::Column(name))?;
+        }
+        // What a sweep varies stands between the seed and the outcome.
+        let varied = header.iter().take(places[4]).nth(places[3] + 1);
+        if let Some(varied) = varied {
+            return Err(InvalidTable::Varied(varied.to_string()));
         }
         let mut table = Self::default();
         for record in reader.records() {
@@ -165,7 +175,9 @@ impl Fields<'_> {
                 actor: self.at(6).to_string(),
                 impact: self.number(7)?,
             }),
-            _ => return Err(self.wrong(4, "`completed` or `collision`")),
+            // A run that could not be made, with its reason in another column.
+            "refused" | "failed" => return Ok(None),
+            _ => return Err(self.wrong(4, "`completed`, `collision`, `refused` or `failed`")),
         };
         Ok(Some(Row {
             scenario: self.at(0).to_string(),
@@ -205,6 +217,24 @@ mod tests {
         assert_eq!(read.rows[0].collision, Some(contact));
         assert_eq!((read.rows[0].fpr, read.rows[0].seed), (4, 7));
         assert_eq!((read.rows[0].gap, read.rows[0].ttc), (Some(0.1), None));
+    }
+
+    #[test]
+    fn hand_runs_that_were_not_made_are_counted_and_a_varied_parameter_is_refused() {
+        let read = table(&[
+            "cut-in,sweep,4,7,completed,,,,1,2,3,x",
+            "cut-in,sweep,4,8,refused,,,,,,,x",
+            "cut-in,sweep,4,9,failed,,,,,,,x",
+        ])
+        .unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!((read.rows.len(), read.others), (1, 2));
+        let header = COLUMNS
+            .join(",")
+            .replace("seed,outcome", "seed,planner.min_gap_m,outcome");
+        assert_eq!(
+            Table::read(&(header + "\n")),
+            Err(InvalidTable::Varied("planner.min_gap_m".into()))
+        );
     }
 
     #[test]

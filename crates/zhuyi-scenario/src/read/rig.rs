@@ -3,11 +3,14 @@
 use super::{COUNT, every, read_all, unique_name};
 use crate::conflict::Conflict;
 use crate::fields::Fields;
-use crate::limits::{above, within};
+use crate::limits::{Limits, above, within};
 use crate::node::Node;
 use zhuyi_core::Camera;
 use zhuyi_perception::{Eye, Perception};
 use zhuyi_world::Vehicle;
+
+/// [-] shares.
+const SHARE: Limits = within(0.0, 1.0);
 
 /// Perception and how often its cameras look.
 pub(super) struct Rig {
@@ -20,9 +23,12 @@ pub(super) struct Rig {
 pub(super) fn perception(node: &Node, vehicle: Option<&Vehicle>) -> Option<Rig> {
     node.structure("Perception", |fields| {
         let confirm_frames = fields.whole("confirm_frames", COUNT);
+        let phase = fields
+            .optional("phase_share")
+            .and_then(|node| node.number(SHARE));
         let eyes = fields
             .required("cameras")
-            .and_then(|node| cameras(&node, confirm_frames, vehicle));
+            .and_then(|node| cameras(&node, confirm_frames, phase, vehicle));
         let (eyes, rates) = eyes.map(|eyes| eyes.into_iter().unzip()).unzip();
         let perception = read_all!(Perception {
             eyes,
@@ -43,6 +49,7 @@ pub(super) fn perception(node: &Node, vehicle: Option<&Vehicle>) -> Option<Rig> 
 fn cameras(
     node: &Node,
     confirm_frames: Option<u32>,
+    phase: Option<f64>,
     vehicle: Option<&Vehicle>,
 ) -> Option<Vec<(Eye, f64)>> {
     let nodes = node.list(1..=32)?;
@@ -54,12 +61,16 @@ fn cameras(
             let latency = fields
                 .optional("latency")
                 .map_or(Some(None), |node| latency("latency", &node));
+            let own_phase = fields
+                .optional("phase_share")
+                .map_or(phase, |node| node.number(SHARE));
             let rate = fields.number_or("rate_hz", within(0.1, 1_000.0), 30.0);
             let camera = camera(fields, &nodes[..index], vehicle);
             let eye = read_all!(Eye {
                 camera,
                 latency,
-                confirm_frames: own_frames
+                confirm_frames: own_frames,
+                phase: Some(own_phase)
             });
             eye.zip(rate)
         })

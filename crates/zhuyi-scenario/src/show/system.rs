@@ -93,10 +93,11 @@ fn camera(
         camera,
         latency,
         confirm_frames,
+        phase,
     }: &Eye,
     rate: f64,
 ) -> Value {
-    Struct(vec![
+    let mut fields = vec![
         ("name", Text(camera.name.clone())),
         ("forward_m", Number(camera.forward)),
         ("left_m", Number(camera.left)),
@@ -107,7 +108,10 @@ fn camera(
         ("latency", frame_latency(*latency)),
         ("confirm_frames", Whole(*confirm_frames)),
         ("analysed", Truth(camera.analysed)),
-    ])
+    ];
+    // There is no word for a phase that is drawn.
+    fields.extend(phase.map(|share| ("phase_share", Number(share))));
+    Struct(fields)
 }
 
 /// A latency [s] of its own, or the frame period.

@@ -95,6 +95,8 @@ fn law_shown_reads_back_equal_with_every_variant_and_odd_numbers() {
         "perception.cameras.front.latency=Fixed(latency_ms: 33.3)",
         "perception.cameras.front.fov_deg=99.9",
         "perception.cameras.rear.confirm_frames=3",
+        "perception.phase_share=0.25",
+        "perception.cameras.rear.phase_share=0.5",
         "perception.cameras.rear.rate_hz=12.5",
         "vehicle.max_steering_deg=33.3",
     ];
@@ -109,7 +111,13 @@ fn law_shown_reads_back_equal_with_every_variant_and_odd_numbers() {
         Source::new("all.ron", scenario.to_ron()),
         Source::new("system.ron", system.to_ron()),
     );
-    assert_eq!(load(&shown.0, &shown.1, &[]).unwrap(), (scenario, system));
+    assert_eq!(
+        load(&shown.0, &shown.1, &[]).unwrap(),
+        (scenario, system.clone())
+    );
+    // The rig's phase is that of the cameras that have none of their own.
+    let phases = system.perception.eyes.iter().map(|eye| eye.phase);
+    assert_eq!(phases.collect::<Vec<_>>(), [Some(0.25), Some(0.5)]);
     // Angles and radii come back as typed, not as 33.29999999999999.
     for typed in [
         "max_steering_deg: 33.3,",

@@ -1,0 +1,49 @@
+//! `zhuyi merge`: the shards of one sweep, put together.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use zhuyi_lab::batch;
+
+use super::{Task, sweep};
+use crate::answer::Answer;
+use crate::error::Error;
+
+/// `zhuyi merge` as typed.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  zhuyi merge shard-1 shard-2 shard-3 --out merged
+
+Every run of the plan must be there exactly once. The merged runs.csv has the bytes that one undisturbed sweep writes. Where blocks \
+are missing nothing is written and the exit code is 3.")]
+pub struct Arguments {
+    /// Folders of zhuyi sweep --shard
+    #[arg(value_name = "DIR", required = true)]
+    dirs: Vec<PathBuf>,
+    /// Folder for runs.csv and plan.json; made if it is missing, and the files in it replaced
+    #[arg(short, long, value_name = "DIR")]
+    out: PathBuf,
+}
+
+/// The folders to merge.
+#[derive(Debug)]
+pub struct Merge {
+    dirs: Vec<PathBuf>,
+    out: PathBuf,
+}
+
+impl Arguments {
+    /// What was typed, as meant.
+    pub fn meant(self) -> Merge {
+        let Self { dirs, out } = self;
+        Merge { dirs, out }
+    }
+}
+
+impl Task for Merge {
+    fn run(self: Box<Self>) -> Result<Answer, Error> {
+        let (plan, made) = batch::merge(&self.dirs, &self.out)?;
+        Ok(Answer::new(sweep::told(&plan, &made, &self.out)))
+    }
+}
