@@ -247,7 +247,7 @@ mod tests {
         for (line, told) in [
             (
                 "cut-in,sweep,4,7,exploded,,,,,,,x",
-                "line 2: expected `completed` or `collision` as outcome, got `exploded`",
+                "line 2: expected `completed`, `collision`, `refused` or `failed` as outcome, got `exploded`",
             ),
             (
                 "cut-in,sweep,four,7,completed,,,,,,,x",
