@@ -32,6 +32,7 @@ use drive::Driven;
 pub use feedback::Feedback;
 pub use responses::Answered;
 pub use smallest::Smallest;
+use tally::Tally;
 
 /// The name under which the allocation found by search is asked for.
 pub const BEST_STATIC: &str = "best-static";
@@ -174,6 +175,23 @@ impl Allocating {
         let mut system = self.system.clone();
         system.compute = compute;
         system
+    }
+
+    /// All drives of a system under a policy with a budget [Hz], together.
+    fn tally(
+        &self,
+        system: &System,
+        policy: (&str, f64),
+        progress: &dyn Progress,
+    ) -> Result<Tally, PolicyError> {
+        let one = |(scenario, seed): &(usize, u64)| {
+            let draws = self.draws(*scenario, *seed);
+            let driven = drive::drive(&self.scenarios[*scenario], system, draws, policy, &[]);
+            progress.step();
+            driven
+        };
+        let driven: Result<Vec<Driven>, _> = self.drives().par_iter().map(one).collect();
+        Ok(Tally::of(driven?.iter(), system.perception.eyes.len()))
     }
 
     /// Every scenario with every seed, scenarios outermost.

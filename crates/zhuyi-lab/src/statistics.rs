@@ -4,7 +4,7 @@
 //! exact one, (1 - p)^n = 0.05. Left out: anything that needs more than a sorted copy.
 
 /// The standard normal's 97.5th percentile.
-const Z_975: f64 = 1.959_963_984_540_054;
+pub(crate) const Z_975: f64 = 1.959_963_984_540_054;
 
 /// The mean; none of nothing.
 pub fn mean(values: &[f64]) -> Option<f64> {

@@ -109,6 +109,18 @@ impl Situation<'_> {
         self.cameras.iter().try_for_each(CameraState::check)
     }
 
+    /// Shares the budget by one demand of every camera, chosen by `of`, as `rule` has it.
+    pub(crate) fn share(
+        &self,
+        rates: &mut [f64],
+        of: impl Fn(&Demands) -> f64,
+        rule: impl Fn(&[f64], f64) -> Vec<f64>,
+    ) -> Result<(), PolicyError> {
+        self.check(rates)?;
+        rates.copy_from_slice(&rule(&self.demands(of), self.budget));
+        Ok(())
+    }
+
     /// [Hz] one demand of every camera, chosen by `of`.
     pub(crate) fn demands(&self, of: impl Fn(&Demands) -> f64) -> Vec<f64> {
         self.cameras.iter().map(|c| of(&c.demands)).collect()

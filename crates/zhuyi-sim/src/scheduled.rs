@@ -140,12 +140,12 @@ impl<'a> Scheduled<'a> {
     }
 
     fn decide(&mut self) -> Result<(), PolicyError> {
-        let (rates, processed) = (self.simulation.rates(), self.simulation.processed());
-        let (time, ego, tracks) = self.simulation.beliefs();
-        if time < self.due {
+        if self.simulation.time() < self.due {
             return Ok(());
         }
         self.due += self.system.online.period;
+        let (rates, processed) = (self.simulation.rates(), self.simulation.processed());
+        let (time, ego, tracks) = self.simulation.beliefs();
         let speed = ego.speed;
         let mut asked = self.online.ask(time, ego, tracks, rates, &processed);
         let measures = self.measures(time);

@@ -149,9 +149,14 @@ impl<'a> Simulation<'a> {
         self.finish(contact)
     }
 
+    /// The time.
+    pub(crate) fn time(&self) -> SimTime {
+        self.world.scene().time
+    }
+
     /// Whether the scenario's time is over.
     pub(crate) fn is_over(&self) -> bool {
-        self.world.scene().time >= self.scenario.duration
+        self.time() >= self.scenario.duration
     }
 
     /// The end of the run, with the contact that the last tick returned.

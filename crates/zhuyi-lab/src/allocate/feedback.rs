@@ -9,12 +9,10 @@
 //! rate to be confirmed, which nobody has asked about. The drives are those of [`POLICY`], which gives each camera its
 //! demand and no more, under both readings of l_0.
 
-use rayon::prelude::*;
 use zhuyi_scenario::System;
 use zhuyi_scheduler::{PolicyError, policy};
 use zhuyi_sim::{Allocation, Scheduled};
 
-use super::drive::{Driven, drive};
 use super::tally::Tally;
 use super::{Allocating, Budgets};
 use crate::beyond::{Comparison, Line};
@@ -57,27 +55,16 @@ pub(super) fn feedback(
         system.online.current_latency = l_0;
         system
     });
-    let drives = plan.drives();
     let scarce = || budgets.iter().filter(|budget| **budget <= SCARCE);
     progress.start(
         "drives with the literal l_0",
-        (scarce().count() * systems.len() * drives.len()) as u64,
+        (scarce().count() * systems.len() * plan.drives().len()) as u64,
     );
-    let tally = |budget: f64, system: &System| -> Result<Tally, PolicyError> {
-        let one = |(scenario, seed): &(usize, u64)| {
-            let draws = plan.draws(*scenario, *seed);
-            let scenario = &plan.scenarios[*scenario];
-            let driven = drive(scenario, system, draws, (IN_TABLE, budget), &[]);
-            progress.step();
-            driven
-        };
-        let driven: Result<Vec<Driven>, _> = drives.par_iter().map(one).collect();
-        Ok(Tally::of(driven?.iter(), system.perception.eyes.len()))
-    };
     let collisions = scarce()
         .map(|budget| {
             let [fixed, literal] = &systems;
-            Ok((*budget, [tally(*budget, fixed)?, tally(*budget, literal)?]))
+            let tally = |system| plan.tally(system, (IN_TABLE, *budget), progress);
+            Ok((*budget, [tally(fixed)?, tally(literal)?]))
         })
         .collect::<Result<_, PolicyError>>()?;
     Ok(Some(Feedback {

@@ -4,12 +4,9 @@
 //! the plan that leave something to mend: [`SCARCE`] at most. An alarm that is heeded prevents the collision that would
 //! have proved it, so alarms are scored where they change nothing, and responses by the collisions that are left.
 
-use rayon::prelude::*;
-use zhuyi_scenario::System;
 use zhuyi_scheduler::PolicyError;
 use zhuyi_scheduler::safety::Response;
 
-use super::drive::{Driven, drive};
 use super::tally::Tally;
 use super::{Allocating, Budgets};
 use crate::progress::Progress;
@@ -65,25 +62,15 @@ pub(super) fn answered(
         system.online.response = response;
         system
     });
-    let drives = plan.drives();
     progress.start(
         "drives with responses to alarms",
-        (rows.len() * systems.len() * drives.len()) as u64,
+        (rows.len() * systems.len() * plan.drives().len()) as u64,
     );
-    let tally = |(policy, budget): (&str, f64), system: &System| -> Result<Tally, PolicyError> {
-        let one = |(scenario, seed): &(usize, u64)| {
-            let draws = plan.draws(*scenario, *seed);
-            let scenario = &plan.scenarios[*scenario];
-            let driven = drive(scenario, system, draws, (policy, budget), &[]);
-            progress.step();
-            driven
-        };
-        let driven: Result<Vec<Driven>, _> = drives.par_iter().map(one).collect();
-        Ok(Tally::of(driven?.iter(), plan.system.perception.eyes.len()))
-    };
     rows.into_iter()
         .map(|(policy, budget)| {
-            let tallies = systems.iter().map(|system| tally((policy, budget), system));
+            let tallies = systems
+                .iter()
+                .map(|system| plan.tally(system, (policy, budget), progress));
             Ok(Answered {
                 policy,
                 budget,

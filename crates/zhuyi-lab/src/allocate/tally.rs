@@ -10,10 +10,7 @@
 
 use super::Cell;
 use super::drive::Driven;
-use crate::statistics::{mean, median, wilson_interval};
-
-/// The standard normal's 97.5th percentile.
-const Z_975: f64 = 1.959_963_984_540_054;
+use crate::statistics::{Z_975, mean, median, wilson_interval};
 
 /// The drives of one policy at one budget, together.
 #[derive(Clone, Debug, Default, PartialEq)]

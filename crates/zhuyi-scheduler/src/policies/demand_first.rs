@@ -25,9 +25,6 @@ impl Policy for DemandFirst {
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
-        situation.check(rates)?;
-        let demands = situation.demands(|d| d.zhuyi);
-        rates.copy_from_slice(&sharing::demand_first(&demands, situation.budget));
-        Ok(())
+        situation.share(rates, |d| d.zhuyi, sharing::demand_first)
     }
 }

@@ -28,9 +28,6 @@ impl Policy for Edf {
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
-        situation.check(rates)?;
-        let demands = situation.demands(|d| d.zhuyi);
-        rates.copy_from_slice(&sharing::demand_first(&demands, situation.budget));
-        Ok(())
+        situation.share(rates, |d| d.zhuyi, sharing::demand_first)
     }
 }

@@ -25,9 +25,6 @@ impl Policy for Phantom {
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
-        situation.check(rates)?;
-        let demands = situation.demands(|d| d.phantom);
-        rates.copy_from_slice(&sharing::demand_first(&demands, situation.budget));
-        Ok(())
+        situation.share(rates, |d| d.phantom, sharing::demand_first)
     }
 }

@@ -23,9 +23,6 @@ impl Policy for PhantomOnly {
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
-        situation.check(rates)?;
-        let demands = situation.demands(|d| d.phantom);
-        rates.copy_from_slice(&sharing::cut(&demands, situation.budget));
-        Ok(())
+        situation.share(rates, |d| d.phantom, sharing::cut)
     }
 }

@@ -26,9 +26,6 @@ impl Policy for Proportional {
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
-        situation.check(rates)?;
-        let demands = situation.demands(|d| d.zhuyi);
-        rates.copy_from_slice(&sharing::in_proportion(&demands, situation.budget));
-        Ok(())
+        situation.share(rates, |d| d.zhuyi, sharing::in_proportion)
     }
 }

@@ -24,9 +24,6 @@ impl Policy for Rss {
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
-        situation.check(rates)?;
-        let demands = situation.demands(|d| d.rss);
-        rates.copy_from_slice(&sharing::demand_first(&demands, situation.budget));
-        Ok(())
+        situation.share(rates, |d| d.rss, sharing::demand_first)
     }
 }
