@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `batches` | `sweep` with `--vary`, killed, interrupted and resumed, in shards; `merge` |
 //! | `budgets` | `allocate`: policies under budgets |
+//! | `plans` | `sweep plan.ron`: one sweep with the equal flags, broken plans |
 //! | `files` | `list`, `show`, `check`, `new` |
 //! | `one_run` | `run`: text, JSON, trace, rates, settings |
 //! | `many_runs` | `mrf`, `sweep`, `reproduce`, `robustness`, `compare`, `beyond`, `figures` |
@@ -22,6 +23,7 @@ mod files;
 mod many_runs;
 mod one_run;
 mod places;
+mod plans;
 mod recordings;
 mod refusals;
 mod reports;
