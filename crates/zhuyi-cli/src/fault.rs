@@ -167,6 +167,9 @@ pub enum Fault {
     /// A plan where no sweep is made.
     #[error("`{0}` is the plan of a sweep")]
     IsPlan(String),
+    /// A program that was built without Parquet.
+    #[error("this zhuyi was built without Parquet")]
+    NoParquet,
     /// The name of a new scenario that cannot be one.
     #[error("a name is made of letters, digits, `_` and `-`, got `{0}`")]
     Name(String),
@@ -187,6 +190,9 @@ impl Fault {
     pub fn hint(&self) -> Option<&str> {
         match self {
             Self::Unknown { hint, .. } => Some(hint),
+            Self::NoParquet => {
+                Some("cargo install --locked --path crates/zhuyi-cli --features parquet")
+            }
             Self::BesidePlan(_) => Some("write it into the plan"),
             Self::IsPlan(_) => Some("zhuyi sweep and zhuyi check take it"),
             Self::ShardForm(_) => Some("the second of three is 2/3"),

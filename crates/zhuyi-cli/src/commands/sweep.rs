@@ -18,6 +18,7 @@ use crate::progress::Bar;
 use crate::shell;
 use crate::vary;
 
+pub mod parquet;
 pub mod plan;
 mod told;
 
@@ -81,6 +82,9 @@ pub struct Arguments {
         allow_hyphen_values = true
     )]
     block: String,
+    /// Write DIR/runs.parquet too: the same rows in typed columns (a program built with the feature parquet)
+    #[arg(long, conflicts_with = "shard")]
+    parquet: bool,
     /// Say how many drives that would be and how the first are made, and make none
     #[arg(long)]
     dry_run: bool,
@@ -140,6 +144,7 @@ pub struct Sweep {
     out: Option<PathBuf>,
     resume: bool,
     shard: Shard,
+    parquet: Option<parquet::Write>,
     jobs: Option<usize>,
 }
 
@@ -164,6 +169,7 @@ impl Arguments {
             None => Some(Shard::WHOLE),
             Some(typed) => shard(Argument::new("--shard", typed), problems),
         };
+        let parquet = parquet::asked(self.parquet, problems);
         let mut count = |name, typed: &str, what, most| {
             let argument = Argument::new(name, typed);
             argument.whole(&argument.all(), what, 1..=most, problems)
@@ -206,6 +212,7 @@ impl Arguments {
             out: self.out.filter(|_| !self.dry_run),
             resume: self.resume,
             shard: shard?,
+            parquet,
             jobs: jobs.flatten().map(|jobs| jobs as usize),
         })
     }
@@ -353,6 +360,9 @@ impl Task for Sweep {
             )));
         }
         let made = folder.finish()?;
+        if let Some(write) = self.parquet {
+            write(out)?;
+        }
         Ok(Answer::new(told(&self.plan, &made, out)))
     }
 }

@@ -12,6 +12,7 @@
 //! | `reports` | `run --report`: the data in the page |
 //! | `explanations` | `explain`: stages, changes that save the drive |
 //! | `refusals` | bad input: exit code, place, rule, hint |
+//! | `schemas` | `schema`: the documents and tables that commands write are what their schemas say |
 //! | `places` | where results go: unwritable, full, closed, interrupted |
 
 #![expect(clippy::unwrap_used, reason = "a test may")]
@@ -27,6 +28,7 @@ mod plans;
 mod recordings;
 mod refusals;
 mod reports;
+mod schemas;
 
 use std::path::PathBuf;
 use std::process::Command;

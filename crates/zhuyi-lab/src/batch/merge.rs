@@ -193,7 +193,7 @@ fn check(
     Ok(made)
 }
 
-fn damaged(path: &Path, reason: &str) -> BatchError {
+pub(super) fn damaged(path: &Path, reason: &str) -> BatchError {
     BatchError::Damaged {
         path: path.to_path_buf(),
         reason: reason.to_string(),
