@@ -57,22 +57,27 @@ impl Belief {
 
     /// The actor as believed to be at `time`; as last seen, where that is later.
     pub fn track(&self, actor: ActorId, time: SimTime, params: &Perception) -> Track {
-        let (along, across) = self.predict(time, params);
         let elapsed = self.elapsed(time);
+        let [s, s_rate, s_accel] = carry_forward(self.along.mean.into(), elapsed);
+        let [d, d_rate, _]: [f64; 3] = self.across.mean.into();
         Track {
             actor,
             time: time.max(self.seen),
             seen: self.seen,
             footprint: self.footprint,
             road: Frenet {
-                s: along.mean[0],
-                d: self.across.mean[0] + self.across.mean[1] * elapsed,
+                s,
+                d: d + d_rate * elapsed,
             },
-            s_rate: along.mean[1],
-            s_accel: along.mean[2],
-            d_rate: self.across.mean[1],
-            s_deviation: along.deviation(),
-            d_deviation: across.deviation(),
+            s_rate,
+            s_accel,
+            d_rate,
+            s_deviation: self
+                .along
+                .deviation_after(elapsed, params.jerk_density_along),
+            d_deviation: self
+                .across
+                .deviation_after(elapsed, params.jerk_density_across),
         }
     }
 
