@@ -1,7 +1,7 @@
 //! The rig at work: cameras expose by their clocks, and each picture becomes a frame some time later.
 //!
 //! ```text
-//! ready = exposed + latency,   latency = 1/f at the exposure unless set
+//! ready = exposed + latency + J u,   latency = 1/f at the exposure unless set
 //! s' = s + σ_s z_1,  d' = d + σ_d z_2,  ṡ' = ṡ + σ_v z_3,  ḋ' = ḋ + σ_v z_4
 //! ```
 //!
@@ -10,11 +10,19 @@
 //! | f | frame rate of the camera | Hz |
 //! | `σ_s, σ_d, σ_v` | standard deviations of the measurement | m, m, m/s |
 //! | z | independent standard normal numbers, drawn per camera, actor and frame | - |
+//! | J | latency jitter: the most that a frame takes longer | s |
+//! | u | uniform in [0, 1), drawn per camera and frame | - |
 //!
 //! A picture shows the scene at its exposure instant. Frames are delivered in the order in which they become ready. A
 //! frame whose latency dates from a slower rate can be overtaken by a later one of the same camera: it is then dropped
-//! and counted (reading R15). Where frames queue for an accelerator, their latency is not known at the exposure: the
+//! and counted (reading R15); so it is with jitter of the latency, where a lucky frame overtakes an unlucky one. A picture
+//! may also be lost on its way: it is exposed and counted, and nobody processes it. To the tracker it was never taken,
+//! which is less than a miss: it does not begin the count of confirmation anew. Where frames queue for an accelerator, their latency is not known at the exposure: the
 //! loop then takes the pictures ([`Eyes::take_exposed`]) and brings them back when they are processed.
+//!
+//! Source of J: Cervin, Lincoln, Eker, Årzén and Buttazzo, *The Jitter Margin and Its Application in the Design of Real-Time
+//! Control Systems*, 2004: a delay anywhere in [L, L + J]. So jitter only ever delays: to keep the mean latency, set the
+//! latency J/2 shorter. Left out: latencies that depend on one another or on what is in the picture.
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -39,10 +47,15 @@ pub struct Eyes {
 struct Shutter {
     clock: Clock,
     streams: Vec<ChaCha8Rng>,
+    /// By how much its frames take longer; none where they never do.
+    lateness: Option<ChaCha8Rng>,
+    /// Which of its pictures are lost; none where none is.
+    loss: Option<ChaCha8Rng>,
     newest: Option<SimTime>,
     exposed: u64,
     processed: u64,
     dropped: u64,
+    lost: u64,
 }
 
 impl Eyes {
@@ -62,8 +75,11 @@ impl Eyes {
             // Every purpose has a stream of its own, so that none which is not drawn moves another.
             let drawn = || draws(Purpose::Phase(camera)).random();
             let phase = params.eyes[camera.index()].phase.unwrap_or_else(drawn);
+            let mut where_on = |on: bool, purpose| on.then(|| draws(purpose));
             Shutter {
                 clock: Clock::new(rates.of(camera), phase),
+                lateness: where_on(params.latency_jitter > 0.0, Purpose::Latency(camera)),
+                loss: where_on(params.drop_rate > 0.0, Purpose::Loss(camera)),
                 streams: actors
                     .map(|actor| draws(Purpose::Detection(camera, actor)))
                     .collect(),
@@ -71,6 +87,7 @@ impl Eyes {
                 exposed: 0,
                 processed: 0,
                 dropped: 0,
+                lost: 0,
             }
         });
         Self {
@@ -80,6 +97,15 @@ impl Eyes {
             scene: start.clone(),
             view: View::default(),
         }
+    }
+
+    /// The same rig where others know how long frames take: they are ready at their exposure, but for their jitter.
+    #[must_use]
+    pub fn without_latency(mut self) -> Self {
+        for eye in &mut self.params.eyes {
+            eye.latency = Some(0.0);
+        }
+        self
     }
 
     /// What every camera sees in `scene` at once, without delay and without misses: with it the tracker starts
@@ -132,12 +158,14 @@ impl Eyes {
             let shutter = &mut self.shutters[index];
             let latency = self.params.eyes[index]
                 .latency
-                .map_or(shutter.clock.period(), SimTime::from_seconds);
+                .map_or(shutter.clock.period(), SimTime::from_seconds)
+                + shutter.late(self.params.latency_jitter);
             let exposed = shutter.clock.tick();
             shutter.exposed += 1;
             evaluate(exposed, &mut self.scene);
             let miss_rate = self.params.miss_rate;
-            self.in_flight.push(Frame {
+            // A picture that is lost uses up its luck with the actors, as if it were not.
+            let frame = Frame {
                 camera: CameraId(index as u8),
                 exposed,
                 ready: exposed + latency,
@@ -150,7 +178,10 @@ impl Eyes {
                     miss_rate,
                 ),
                 ego: self.scene.ego.pose,
-            });
+            };
+            if !shutter.loses(self.params.drop_rate) {
+                self.in_flight.push(frame);
+            }
         }
     }
 
@@ -215,6 +246,29 @@ impl Eyes {
     /// How many of its frames were overtaken by a later one and dropped.
     pub fn frames_dropped(&self, camera: CameraId) -> u64 {
         self.shutters[camera.index()].dropped
+    }
+
+    /// How many of its pictures were lost on their way.
+    pub fn frames_lost(&self, camera: CameraId) -> u64 {
+        self.shutters[camera.index()].lost
+    }
+}
+
+impl Shutter {
+    /// By how much the next frame takes longer, of at most `jitter` [s].
+    fn late(&mut self, jitter: f64) -> SimTime {
+        let late = |stream: &mut ChaCha8Rng| SimTime::from_seconds(jitter * stream.random::<f64>());
+        self.lateness.as_mut().map_or(SimTime::ZERO, late)
+    }
+
+    /// Whether the picture just taken is lost, and counts it.
+    fn loses(&mut self, rate: f64) -> bool {
+        let lost = self
+            .loss
+            .as_mut()
+            .is_some_and(|stream| stream.random::<f64>() < rate);
+        self.lost += u64::from(lost);
+        lost
     }
 }
 

@@ -1,7 +1,7 @@
 //! Chance, keyed by purpose.
 //!
 //! The caller hands out one generator per [`Purpose`]. A detection stream gives five uniform numbers per exposed frame,
-//! whether the actor is visible or not: the j-th frame of a camera has the same luck with an actor whatever the other
+//! whether the actor is visible or not; one of latency or loss gives one per exposed frame, whatever becomes of it: the j-th frame of a camera has the same luck with an actor whatever the other
 //! cameras do, at any rate, so that runs that differ in rate alone stay paired (reading R18).
 //!
 //! ```text
@@ -22,6 +22,10 @@ pub enum Purpose {
     Phase(CameraId),
     /// What a camera makes of an actor.
     Detection(CameraId, ActorId),
+    /// By how much a camera's frames take longer.
+    Latency(CameraId),
+    /// Which of a camera's pictures are lost.
+    Loss(CameraId),
 }
 
 /// The luck of one frame with one actor.

@@ -66,6 +66,9 @@ impl<'a> Simulation<'a> {
         );
         let stream = |purpose: Purpose| draws.stream(&spelt(purpose, scenario, system));
         let mut eyes = Eyes::new(&system.perception, rates, stream, world.scene());
+        if let Compute::Accelerator(_) = system.compute {
+            eyes = eyes.without_latency();
+        }
         let mut tracker = Tracker::new(&system.perception, scenario.actors.len());
         tracker.start_confirmed(&eyes.glance(world.scene()));
         Self {
@@ -173,13 +176,13 @@ impl<'a> Simulation<'a> {
                 crash: self.world.crash(&contact),
             }),
         };
-        let frames = (0..self.system.perception.eyes.len() as u8).map(|camera| Frames {
-            exposed: self.eyes.frames_exposed(CameraId(camera)),
-            processed: self.eyes.frames_processed(CameraId(camera)),
-            dropped: self
-                .pipeline
-                .as_ref()
-                .map_or(0, |pipeline| pipeline.dropped(CameraId(camera))),
+        let waiting =
+            |camera| (self.pipeline.as_ref()).map_or(0, |pipeline| pipeline.dropped(camera));
+        let cameras = (0..self.system.perception.eyes.len() as u8).map(CameraId);
+        let frames = cameras.map(|camera| Frames {
+            exposed: self.eyes.frames_exposed(camera),
+            processed: self.eyes.frames_processed(camera),
+            dropped: self.eyes.frames_lost(camera) + waiting(camera),
         });
         Run {
             outcome,
@@ -260,6 +263,8 @@ fn spelt(purpose: Purpose, scenario: &Scenario, system: &System) -> String {
     let camera = |id: CameraId| &system.perception.eyes[id.index()].camera.name;
     match purpose {
         Purpose::Phase(id) => format!("phase of {}", camera(id)),
+        Purpose::Latency(id) => format!("latencies of {}", camera(id)),
+        Purpose::Loss(id) => format!("losses of {}", camera(id)),
         Purpose::Detection(id, actor) => {
             format!(
                 "detections of {} by {}",
