@@ -58,20 +58,16 @@ impl Belief {
     /// The actor as believed to be at `time`; as last seen, where that is later.
     pub fn track(&self, actor: ActorId, time: SimTime, params: &Perception) -> Track {
         let elapsed = self.elapsed(time);
-        let [s, s_rate, s_accel] = carry_forward(self.along.mean.into(), elapsed);
-        let [d, d_rate, _]: [f64; 3] = self.across.mean.into();
+        let [_, s_rate, s_accel] = carry_forward(self.along.mean.into(), elapsed);
         Track {
             actor,
             time: time.max(self.seen),
             seen: self.seen,
             footprint: self.footprint,
-            road: Frenet {
-                s,
-                d: d + d_rate * elapsed,
-            },
+            road: self.place(time),
             s_rate,
             s_accel,
-            d_rate,
+            d_rate: self.across.mean.y,
             s_deviation: self
                 .along
                 .deviation_after(elapsed, params.jerk_density_along),
@@ -79,6 +75,21 @@ impl Belief {
                 .across
                 .deviation_after(elapsed, params.jerk_density_across),
         }
+    }
+
+    /// The place of its centre then.
+    pub fn place(&self, time: SimTime) -> Frenet {
+        let elapsed = self.elapsed(time);
+        let [s, _, _] = carry_forward(self.along.mean.into(), elapsed);
+        Frenet {
+            s,
+            d: self.across.mean.x + self.across.mean.y * elapsed,
+        }
+    }
+
+    /// Its box, as last seen.
+    pub fn footprint(&self) -> Footprint {
+        self.footprint
     }
 
     fn predict(&self, time: SimTime, params: &Perception) -> (Axis, Axis) {
