@@ -20,7 +20,7 @@ use crate::vary;
 
 mod told;
 
-pub use told::told;
+pub use told::Told;
 
 /// `zhuyi sweep` as typed.
 #[derive(Args, Debug)]
@@ -286,7 +286,8 @@ impl Task for Sweep {
                 out.display()
             )));
         }
-        let made = folder.finish()?;
-        Ok(Answer::new(told(&self.plan, &made, out)))
+        let mut told = Told::default();
+        folder.finish(&mut |plan, run, made| told.add(plan, run, made))?;
+        Ok(Answer::new(told.text(&self.plan, out)))
     }
 }
