@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use clap::Args;
 use zhuyi_lab::batch;
 
-use super::{Task, sweep};
+use super::Task;
+use super::sweep::Told;
 use crate::answer::Answer;
 use crate::error::Error;
 
@@ -43,7 +44,10 @@ impl Arguments {
 
 impl Task for Merge {
     fn run(self: Box<Self>) -> Result<Answer, Error> {
-        let (plan, made) = batch::merge(&self.dirs, &self.out)?;
-        Ok(Answer::new(sweep::told(&plan, &made, &self.out)))
+        let mut told = Told::default();
+        let plan = batch::merge(&self.dirs, &self.out, &mut |plan, run, made| {
+            told.add(plan, run, made);
+        })?;
+        Ok(Answer::new(told.text(&plan, &self.out)))
     }
 }

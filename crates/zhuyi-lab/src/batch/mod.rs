@@ -31,6 +31,6 @@ mod sample;
 pub use blocks::{Folder, Shard};
 pub use error::BatchError;
 pub use make::Batch;
-pub use merge::{Made, merge};
+pub use merge::{Made, Tell, merge};
 pub use plan::{Named, Plan, Run, SCHEMA};
 pub use sample::{Distribution, Sampling, samples};
