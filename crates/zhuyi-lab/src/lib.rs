@@ -26,6 +26,7 @@ pub mod beyond;
 #[doc = include_str!("calibration.md")]
 pub mod calibration {}
 pub mod claims;
+pub mod columns;
 pub mod committed;
 pub mod compare;
 pub mod course;
@@ -44,6 +45,7 @@ pub mod reruns;
 pub mod results;
 pub mod robustness;
 pub mod runs;
+pub mod schema;
 pub mod sensitivity;
 pub mod statistics;
 pub mod summary;

@@ -14,7 +14,7 @@ use crate::error::Error;
     mut_arg("scenarios", |arg| arg.required(false).required_unless_present("per_camera")),
     mut_arg("fpr", |arg| arg.help("\
 Frame rates in frames per second, the same on all cameras, or with --per-camera those that each may have: from:to[:step] with \
-both ends, single rates, or several of these, as 1:10,15,30")),
+both ends, single rates, or several of these, as 1:10,15,30 [default: 1:30]")),
     after_help = "\
 Examples:
   zhuyi mrf cut-out-fast

@@ -194,7 +194,7 @@ fn remove(dir: &Path) -> Result<(), LabError> {
 
 /// Removes what killed processes have left half written.
 fn remove_drafts(dir: &Path) -> Result<(), LabError> {
-    let ours = [PLAN, RUNS, "writable"].map(|name| format!(".{name}."));
+    let ours = [PLAN, RUNS, "runs.parquet", "writable"].map(|name| format!(".{name}."));
     for entry in fs::read_dir(dir).map_err(Attempt::Read.on(dir))? {
         let entry = entry.map_err(Attempt::Read.on(dir))?;
         let name = entry.file_name();

@@ -201,7 +201,7 @@ fn check(
     Ok(())
 }
 
-fn damaged(path: &Path, reason: &str) -> BatchError {
+pub(super) fn damaged(path: &Path, reason: &str) -> BatchError {
     BatchError::Damaged {
         path: path.to_path_buf(),
         reason: reason.to_string(),

@@ -108,6 +108,14 @@ impl Point {
     }
 }
 
+/// How many of what: `1 seed`, `2 seeds`.
+pub fn counted(count: u64, one: &str) -> String {
+    match count {
+        1 => format!("1 {one}"),
+        count => format!("{count} {one}s"),
+    }
+}
+
 /// A note where not all of a plan is made.
 pub fn limited(plan: &Plan) -> String {
     let all = plan.runs_in_full();
