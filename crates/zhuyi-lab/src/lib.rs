@@ -7,6 +7,7 @@
 //!  Plan ──▶ [beyond]: the estimator's options beyond the paper ──▶ beyond.md, lines for figures
 //!  Plan ──▶ [robustness]: one thing changed at a time, fresh seeds ──▶ robustness.md
 //!  batch::Plan ──▶ [batch]: any parameter varied, in blocks that survive a kill ──▶ plan.json, blocks/, runs.csv
+//!  Trials ──▶ [shares]: the share of collisions at each rate, with its interval ──▶ `zhuyi mrf`
 //!  PerCamera ──▶ [per_camera]: a rate of its own for each camera ──▶ mrf_per_camera.md, mrf_per_camera.csv
 //!  Allocating ──▶ [allocate]: policies under budgets on the same drives ──▶ allocation.md, allocation.csv
 //!  Plan ──▶ [course], [foresight], [sensitivity], [throughput]: claims 5 to 9 ──▶ claims.md, numbers for figures
@@ -32,6 +33,7 @@ pub mod course;
 pub mod diff;
 pub mod error;
 pub mod estimators;
+pub mod evidence;
 pub mod foresight;
 pub mod manifest;
 pub mod mrf;
@@ -45,7 +47,9 @@ pub mod results;
 pub mod robustness;
 pub mod runs;
 pub mod sensitivity;
+pub mod shares;
 pub mod statistics;
+pub mod strata;
 pub mod summary;
 pub mod sweep;
 pub mod table;
