@@ -40,13 +40,17 @@ pub enum Values {
     Drawn(Distribution),
 }
 
-/// All parameters, as typed.
-pub fn axes(typed: &[String], problems: &mut Problems) -> Option<Vec<Axis>> {
+/// All parameters, as typed: paths, or what `is_named` knows.
+pub fn axes(
+    typed: &[String],
+    is_named: fn(&str) -> bool,
+    problems: &mut Problems,
+) -> Option<Vec<Axis>> {
     let before = problems.len();
     let mut axes: Vec<Axis> = Vec::new();
     for typed in typed {
         let argument = Argument::new(FLAG, typed);
-        let Some(axis) = axis(argument, problems) else {
+        let Some(axis) = axis(argument, is_named, problems) else {
             continue;
         };
         if axes.iter().any(|earlier| earlier.path == axis.path) {
@@ -64,7 +68,11 @@ fn path(argument: Argument<'_>) -> Range<usize> {
     argument.parts(&argument.all(), '=').swap_remove(0)
 }
 
-fn axis(argument: Argument<'_>, problems: &mut Problems) -> Option<Axis> {
+fn axis(
+    argument: Argument<'_>,
+    is_named: fn(&str) -> bool,
+    problems: &mut Problems,
+) -> Option<Axis> {
     let whole = argument.all();
     let text = argument.at(&whole);
     let Some(equals) = text.find('=') else {
@@ -76,7 +84,13 @@ fn axis(argument: Argument<'_>, problems: &mut Problems) -> Option<Axis> {
     let name = argument.at(&place).to_string();
     let values: Vec<String> = if argument.at(&spec).starts_with('[') {
         // Read as a setting, so that an unknown path or what is no RON is told as everywhere.
-        let setting = problems.take(Setting::parse_as(FLAG, text))?;
+        // What is no path stands for one here.
+        let as_path = if is_named(&name) {
+            format!("duration_s={}", argument.at(&spec))
+        } else {
+            text.to_string()
+        };
+        let setting = problems.take(Setting::parse_as(FLAG, &as_path))?;
         let values = setting.entries()?;
         values.into_iter().map(String::from).collect()
     } else {
@@ -86,7 +100,9 @@ fn axis(argument: Argument<'_>, problems: &mut Problems) -> Option<Axis> {
         } else {
             Values::Listed(range(argument, &spec, problems)?)
         };
-        problems.take(Setting::parse_as(FLAG, &format!("{name}=0")))?;
+        if !is_named(&name) {
+            problems.take(Setting::parse_as(FLAG, &format!("{name}=0")))?;
+        }
         return Some(Axis { path: name, values });
     };
     if values.is_empty() {

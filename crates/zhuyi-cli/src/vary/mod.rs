@@ -8,6 +8,7 @@ mod constraint;
 
 use clap::Args;
 use zhuyi_lab::batch::{Distribution, Sampling, samples};
+use zhuyi_lab::choice::{Choice, is_named};
 use zhuyi_scenario::did_you_mean;
 
 use crate::argument::Argument;
@@ -59,7 +60,7 @@ impl Arguments {
     pub fn read(&self, root_seed: u64, problems: &mut Problems) -> Option<Varied> {
         let sampling = self.sampling(problems);
         let count = self.count(problems);
-        let axes = axis::axes(&self.vary, problems)?;
+        let axes = axis::axes(&self.vary, |_| false, problems)?;
         let drawn = drawn(&axes);
         if let ([(path, _), ..], None) = (drawn.as_slice(), &self.samples) {
             let fault = Fault::NoSamples((*path).to_string());
@@ -132,6 +133,23 @@ impl Arguments {
         let all = vary.chain(constraints).chain(samples).chain(sampling);
         all.map(shell::line).collect()
     }
+}
+
+/// Choices with the values that each is to have, one at a time; some have a name in place of a path.
+pub fn choices(typed: &[String], problems: &mut Problems) -> Option<Vec<Choice>> {
+    let before = problems.len();
+    let axes = axis::axes(typed, is_named, problems)?;
+    let mut choices = Vec::new();
+    for (axis, typed) in axes.into_iter().zip(typed) {
+        match axis.values {
+            Values::Listed(values) => choices.push(Choice {
+                path: axis.path,
+                values,
+            }),
+            Values::Drawn(_) => refuse_all(FLAG, typed, Fault::DrawnChoice, problems),
+        }
+    }
+    (problems.len() == before).then_some(choices)
 }
 
 fn refuse_all(name: &'static str, text: &str, fault: Fault, problems: &mut Problems) {
