@@ -81,6 +81,10 @@ impl Eyes {
             // Every purpose has a stream of its own, so that none which is not drawn moves another.
             let drawn = || draws(Purpose::Phase(camera)).random();
             let phase = params.eyes[camera.index()].phase.unwrap_or_else(drawn);
+            let phase = match params.phase_shift {
+                0.0 => phase,
+                shift => (phase + shift).fract(),
+            };
             let mut where_on = |on: bool, purpose| on.then(|| draws(purpose));
             Shutter {
                 clock: Clock::new(rates.of(camera), phase),
