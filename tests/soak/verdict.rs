@@ -9,7 +9,7 @@
 //! | a run ends | it has a row for each step up to its duration or its contact |
 //! | the estimate answers | each demand is a positive finite rate |
 
-use zhuyi_core::{Body, Pose};
+use zhuyi_core::{Body, Pose, Road};
 use zhuyi_estimator::Estimator;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::policy;
@@ -50,7 +50,7 @@ pub fn drive(
     let (run, asked) = run(case, scenario, system)?;
     numbers(&run)?;
     ending(&run, scenario)?;
-    boxes(&run)?;
+    boxes(&run, &scenario.road)?;
     let half_road = f64::from(scenario.road.lanes()) * scenario.road.lane_width() / 2.0;
     jumps(&run, half_road)?;
     let mut egos = run.trace.rows().map(|row| row.ego.road.d.abs());
@@ -190,7 +190,7 @@ fn gap(one: &Body, other: &Body) -> f64 {
     along(one, other).max(along(other, one))
 }
 
-fn boxes(run: &Run) -> Result<(), String> {
+fn boxes(run: &Run, road: &Road) -> Result<(), String> {
     for row in run.trace.rows() {
         for (place, actor) in row.actors.iter().enumerate() {
             let gap = gap(row.ego, actor);
@@ -209,7 +209,7 @@ fn boxes(run: &Run) -> Result<(), String> {
         let row = run.trace.row(run.trace.len() - 1);
         let (ego, actor) = (row.ego, &row.actors[collision.actor.index()]);
         // Both may speed up in the step, and turn.
-        let turn = [0, collision.actor.index() + 1].map(|place| turning(run, place));
+        let turn = [0, collision.actor.index() + 1].map(|place| turning(run, road, place));
         let way = (ego.speed + actor.speed + 1.0) * STEP.seconds() + turn[0] + turn[1] + JUMP;
         if gap(ego, actor) > way {
             return Err(format!(
@@ -221,8 +221,9 @@ fn boxes(run: &Run) -> Result<(), String> {
     Ok(())
 }
 
-/// [m] how far a step may take a corner by turning, from how far the last one did.
-fn turning(run: &Run, place: usize) -> f64 {
+/// [m] how far a step may take a corner by turning: by twice what the last one did, or back into the lane at once, as an actor
+/// turns that begins another lane change half-way.
+fn turning(run: &Run, road: &Road, place: usize) -> f64 {
     let body = |row: usize| {
         *bodies(&run.trace.row(row))
             .nth(place)
@@ -231,7 +232,8 @@ fn turning(run: &Run, place: usize) -> f64 {
     let last = run.trace.len() - 1;
     let (before, now) = (body(last.saturating_sub(1)), body(last));
     let turn = (now.pose.heading - before.pose.heading).abs();
-    2.0 * turn * now.footprint.length.hypot(now.footprint.width) / 2.0
+    let askew = (now.pose.heading - road.heading(now.road.s)).abs();
+    (2.0 * turn).max(askew) * now.footprint.length.hypot(now.footprint.width) / 2.0
 }
 
 fn jumps(run: &Run, half_road: f64) -> Result<(), String> {
