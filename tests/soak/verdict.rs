@@ -9,7 +9,7 @@
 //! | a run ends | it has a row for each step up to its duration or its contact |
 //! | the estimate answers | each demand is a positive finite rate |
 
-use zhuyi_core::{Body, Pose, Road};
+use zhuyi_core::{Body, Pose, Road, SimTime};
 use zhuyi_estimator::Estimator;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::policy;
@@ -194,8 +194,9 @@ fn boxes(run: &Run, road: &Road) -> Result<(), String> {
     for row in run.trace.rows() {
         for (place, actor) in row.actors.iter().enumerate() {
             let gap = gap(row.ego, actor);
-            // A start that jitter has moved into another box is a contact at once.
-            let at_once = matches!(&run.outcome, Outcome::Collision(collision) if collision.time.nanos() == 0);
+            // A start that jitter has moved into another box is a contact in the first step.
+            let at_once = row.time == SimTime::ZERO
+                && matches!(&run.outcome, Outcome::Collision(collision) if collision.time <= STEP);
             if gap < -DEPTH && !at_once {
                 return Err(format!(
                     "{}: {gap} m in the ego, {actor:?} {:?}",

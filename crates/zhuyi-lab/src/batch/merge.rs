@@ -163,34 +163,43 @@ fn check(
     path: &Path,
     text: &str,
 ) -> Result<Vec<Made>, BatchError> {
-    let mut reader = csv::Reader::from_reader(text.as_bytes());
-    let no_table = |error: csv::Error| damaged(path, &error.to_string());
-    let mut names: Vec<&str> = NAMED_BY.into();
-    names.extend(plan.varied.iter().map(String::as_str));
-    names.push(OUTCOME);
-    let outcome = names.len() - 1;
-    let header = reader.headers().map_err(no_table)?;
-    if !header.iter().take(names.len()).eq(names.iter().copied()) {
-        return Err(damaged(path, "its header is another"));
+    plan.made(places, text)
+        .map_err(|reason| damaged(path, &reason))
+}
+
+impl Plan {
+    /// What the runs of a table, `runs.csv` or one of its blocks, came to, which must be those at these places, in their order.
+    ///
+    /// # Errors
+    /// When it is another table.
+    pub fn made(&self, places: Range<u64>, text: &str) -> Result<Vec<Made>, String> {
+        let mut reader = csv::Reader::from_reader(text.as_bytes());
+        let no_table = |error: csv::Error| error.to_string();
+        let mut names: Vec<&str> = NAMED_BY.into();
+        names.extend(self.varied.iter().map(String::as_str));
+        names.push(OUTCOME);
+        let outcome = names.len() - 1;
+        let header = reader.headers().map_err(no_table)?;
+        if !header.iter().take(names.len()).eq(names.iter().copied()) {
+            return Err("its header is another".to_string());
+        }
+        let mut made = Vec::new();
+        let mut expected = places.clone();
+        let mut row = StringRecord::new();
+        while reader.read_record(&mut row).map_err(no_table)? {
+            let fields = expected.next().map(|place| self.fields(self.run(place)));
+            let is_meant = fields.is_some_and(|fields| fields.iter().eq(row.iter().take(outcome)));
+            let Some(found) = row.get(outcome).and_then(Made::named).filter(|_| is_meant) else {
+                return Err(format!("its run {} is another", made.len() + 1));
+            };
+            made.push(found);
+        }
+        if expected.next().is_some() {
+            let count = places.end - places.start;
+            return Err(format!("it has {} of {count} runs", made.len()));
+        }
+        Ok(made)
     }
-    let mut made = Vec::new();
-    let mut expected = places.clone();
-    let mut row = StringRecord::new();
-    while reader.read_record(&mut row).map_err(no_table)? {
-        let fields = expected.next().map(|place| plan.fields(plan.run(place)));
-        let is_meant = fields.is_some_and(|fields| fields.iter().eq(row.iter().take(outcome)));
-        let Some(found) = row.get(outcome).and_then(Made::named).filter(|_| is_meant) else {
-            let reason = format!("its run {} is another", made.len() + 1);
-            return Err(damaged(path, &reason));
-        };
-        made.push(found);
-    }
-    if expected.next().is_some() {
-        let count = places.end - places.start;
-        let reason = format!("it has {} of {count} runs", made.len());
-        return Err(damaged(path, &reason));
-    }
-    Ok(made)
 }
 
 fn damaged(path: &Path, reason: &str) -> BatchError {
