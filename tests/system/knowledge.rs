@@ -35,3 +35,25 @@ fn law_the_obstacle_is_acted_on_after_k_frames_in_sight_and_no_sooner() {
         "{five} s with K = 5, {seven} s with K = 7"
     );
 }
+
+#[test]
+fn law_what_is_late_or_lost_changes_a_drive_and_nothing_of_its_start() {
+    let drive = |settings: &[&str]| {
+        let (scenario, system) = read("cut-out-fast", settings);
+        run(&scenario, &system, 4, 1)
+    };
+    let (calm, none) = (
+        drive(&[]),
+        drive(&["perception.drop_rate=0", "perception.latency_jitter_ms=0"]),
+    );
+    assert_eq!(calm.trace, none.trace);
+    for setting in [
+        "perception.drop_rate=0.5",
+        "perception.latency_jitter_ms=200",
+    ] {
+        let changed = drive(&[setting]);
+        assert_ne!(calm.trace, changed.trace, "{setting}");
+        let first = |run: &zhuyi_sim::Run| format!("{:?}", run.trace.rows().next());
+        assert_eq!(first(&calm), first(&changed), "{setting}");
+    }
+}

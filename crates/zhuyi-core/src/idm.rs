@@ -85,13 +85,23 @@ impl Idm {
     /// }
     /// ```
     pub fn improved_accel(&self, v: f64, leader: Option<Leader>) -> f64 {
+        let free = self.improved_free_accel(v);
+        leader.map_or(free, |leader| self.improved_accel_behind(v, leader, free))
+    }
+
+    /// [m/s2] the improved model with no leader.
+    pub fn improved_free_accel(&self, v: f64) -> f64 {
         let (a, b, v0) = (self.max_accel, self.comfortable_decel, self.desired_speed);
-        let free = if v <= v0 {
+        if v <= v0 {
             a * (1.0 - self.share_of_desired(v).powf(self.exponent))
         } else {
             -b * (1.0 - (v0 / v).powf(a * self.exponent / b))
-        };
-        let Some(leader) = leader else { return free };
+        }
+    }
+
+    /// [m/s2] the improved model behind a leader, given its `free` acceleration at the same speed.
+    pub fn improved_accel_behind(&self, v: f64, leader: Leader, free: f64) -> f64 {
+        let (a, v0) = (self.max_accel, self.desired_speed);
         let z = self.wanted_gap(v, leader.speed) / leader.gap.max(f64::MIN_POSITIVE);
         match (v <= v0, z >= 1.0) {
             (true, true) => a * (1.0 - z * z),

@@ -1,7 +1,7 @@
 //! The rig at work: cameras expose by their clocks, and each picture becomes a frame some time later.
 //!
 //! ```text
-//! ready = exposed + latency,   latency = 1/f at the exposure unless set
+//! ready = exposed + latency + J u,   latency = 1/f at the exposure unless set
 //! s' = s + σ_s z_1,  d' = d + σ_d z_2,  ṡ' = ṡ + σ_v z_3,  ḋ' = ḋ + σ_v z_4
 //! ```
 //!
@@ -10,19 +10,27 @@
 //! | f | frame rate of the camera | Hz |
 //! | `σ_s, σ_d, σ_v` | standard deviations of the measurement | m, m, m/s |
 //! | z | independent standard normal numbers, drawn per camera, actor and frame | - |
+//! | J | latency jitter: the most that a frame takes longer | s |
+//! | u | uniform in [0, 1), drawn per camera and frame | - |
 //!
 //! A picture shows the scene at its exposure instant. Frames are delivered in the order in which they become ready. A
 //! frame whose latency dates from a slower rate can be overtaken by a later one of the same camera: it is then dropped
-//! and counted (reading R15). Where frames queue for an accelerator, their latency is not known at the exposure: the
+//! and counted (reading R15); so it is with jitter of the latency, where a lucky frame overtakes an unlucky one. A picture
+//! may also be lost on its way: it is exposed and counted, and nobody processes it. To the tracker it was never taken,
+//! which is less than a miss: it does not begin the count of confirmation anew. Where frames queue for an accelerator, their latency is not known at the exposure: the
 //! loop then takes the pictures ([`Eyes::take_exposed`]) and brings them back when they are processed.
+//!
+//! Source of J: Cervin, Lincoln, Eker, Årzén and Buttazzo, *The Jitter Margin and Its Application in the Design of Real-Time
+//! Control Systems*, 2004: a delay anywhere in [L, L + J]. So jitter only ever delays: to keep the mean latency, set the
+//! latency J/2 shorter. Left out: latencies that depend on one another or on what is in the picture.
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use zhuyi_core::{ActorId, CameraId, Detection, Frame, FrameRates, Scene, SimTime};
 
 use crate::sight::View;
-use crate::stream::{Luck, Purpose};
-use crate::{Clock, Perception};
+use crate::stream::{Fortune, Purpose};
+use crate::{Clock, Eye, Perception};
 
 /// The cameras of the ego, with their frames in flight.
 #[derive(Clone, Debug)]
@@ -31,18 +39,26 @@ pub struct Eyes {
     shutters: Vec<Shutter>,
     in_flight: Vec<Frame>,
     scene: Scene,
-    view: View,
+    /// Lists of frames that were delivered, for the next ones.
+    spare: Vec<Vec<Detection>>,
 }
 
 /// One camera's timing, luck and counts.
 #[derive(Clone, Debug)]
 struct Shutter {
     clock: Clock,
-    streams: Vec<ChaCha8Rng>,
+    view: View,
+    /// With each actor.
+    fortunes: Vec<Fortune>,
+    /// By how much its frames take longer; none where they never do.
+    lateness: Option<ChaCha8Rng>,
+    /// Which of its pictures are lost; none where none is.
+    loss: Option<ChaCha8Rng>,
     newest: Option<SimTime>,
     exposed: u64,
     processed: u64,
     dropped: u64,
+    lost: u64,
 }
 
 impl Eyes {
@@ -62,15 +78,20 @@ impl Eyes {
             // Every purpose has a stream of its own, so that none which is not drawn moves another.
             let drawn = || draws(Purpose::Phase(camera)).random();
             let phase = params.eyes[camera.index()].phase.unwrap_or_else(drawn);
+            let mut where_on = |on: bool, purpose| on.then(|| draws(purpose));
             Shutter {
                 clock: Clock::new(rates.of(camera), phase),
-                streams: actors
-                    .map(|actor| draws(Purpose::Detection(camera, actor)))
+                lateness: where_on(params.latency_jitter > 0.0, Purpose::Latency(camera)),
+                loss: where_on(params.drop_rate > 0.0, Purpose::Loss(camera)),
+                view: View::default(),
+                fortunes: actors
+                    .map(|actor| Fortune::new(draws(Purpose::Detection(camera, actor))))
                     .collect(),
                 newest: None,
                 exposed: 0,
                 processed: 0,
                 dropped: 0,
+                lost: 0,
             }
         });
         Self {
@@ -78,29 +99,31 @@ impl Eyes {
             params: params.clone(),
             in_flight: Vec::new(),
             scene: start.clone(),
-            view: View::default(),
+            spare: Vec::new(),
         }
+    }
+
+    /// The same rig where others know how long frames take: they are ready at their exposure, but for their jitter.
+    #[must_use]
+    pub fn without_latency(mut self) -> Self {
+        for eye in &mut self.params.eyes {
+            eye.latency = Some(0.0);
+        }
+        self
     }
 
     /// What every camera sees in `scene` at once, without delay and without misses: with it the tracker starts
     /// (reading R16). Comes before the first exposure, takes the first draw of each stream and is not counted.
     pub fn glance(&mut self, scene: &Scene) -> Vec<Frame> {
-        (0..self.shutters.len())
-            .map(|index| Frame {
-                camera: CameraId(index as u8),
-                exposed: scene.time,
-                ready: scene.time,
-                detections: detect(
-                    &self.params,
-                    index,
-                    &mut self.shutters[index].streams,
-                    scene,
-                    &mut self.view,
-                    0.0,
-                ),
-                ego: scene.ego.pose,
-            })
-            .collect()
+        let shutters = self.shutters.iter_mut().zip(&self.params.eyes);
+        let frame = |(index, (shutter, eye)): (u8, (&mut Shutter, &Eye))| Frame {
+            camera: CameraId(index),
+            exposed: scene.time,
+            ready: scene.time,
+            detections: shutter.detections(eye, &self.params, 0.0, scene, Vec::new()),
+            ego: scene.ego.pose,
+        };
+        (0..).zip(shutters).map(frame).collect()
     }
 
     /// Changes a camera's rate at `now`. Its next exposure is `max(now, last + 1/hz)`; frames in flight keep their
@@ -129,27 +152,28 @@ impl Eyes {
     /// as it truly is at the instant it is given. That instant is never earlier than the one exposed up to before.
     pub fn expose(&mut self, to: SimTime, mut evaluate: impl FnMut(SimTime, &mut Scene)) {
         while let Some(index) = self.due(to) {
-            let shutter = &mut self.shutters[index];
-            let latency = self.params.eyes[index]
+            let (shutter, eye) = (&mut self.shutters[index], &self.params.eyes[index]);
+            let latency = eye
                 .latency
-                .map_or(shutter.clock.period(), SimTime::from_seconds);
+                .map_or(shutter.clock.period(), SimTime::from_seconds)
+                + shutter.late(self.params.latency_jitter);
             let exposed = shutter.clock.tick();
             shutter.exposed += 1;
             evaluate(exposed, &mut self.scene);
-            let miss_rate = self.params.miss_rate;
+            let (scene, miss_rate) = (&self.scene, self.params.miss_rate);
+            let list = self.spare.pop().unwrap_or_default();
+            // A picture that is lost uses up its luck with the actors, as if it were not.
+            let detections = shutter.detections(eye, &self.params, miss_rate, scene, list);
+            if shutter.loses(self.params.drop_rate) {
+                self.spare.push(detections);
+                continue;
+            }
             self.in_flight.push(Frame {
                 camera: CameraId(index as u8),
                 exposed,
                 ready: exposed + latency,
-                detections: detect(
-                    &self.params,
-                    index,
-                    &mut shutter.streams,
-                    &self.scene,
-                    &mut self.view,
-                    miss_rate,
-                ),
-                ego: self.scene.ego.pose,
+                detections,
+                ego: scene.ego.pose,
             });
         }
     }
@@ -194,7 +218,13 @@ impl Eyes {
                 return Some(frame);
             }
             shutter.dropped += 1;
+            self.reuse(frame);
         }
+    }
+
+    /// Takes back a frame that is done with: a later one needs no new list.
+    pub fn reuse(&mut self, frame: Frame) {
+        self.spare.push(frame.detections);
     }
 
     /// Pictures that have been taken and are not ready, in no order.
@@ -216,35 +246,63 @@ impl Eyes {
     pub fn frames_dropped(&self, camera: CameraId) -> u64 {
         self.shutters[camera.index()].dropped
     }
+
+    /// How many of its pictures were lost on their way.
+    pub fn frames_lost(&self, camera: CameraId) -> u64 {
+        self.shutters[camera.index()].lost
+    }
 }
 
-/// What a camera of the rig finds in a scene.
-fn detect(
-    params: &Perception,
-    camera: usize,
-    streams: &mut [ChaCha8Rng],
-    scene: &Scene,
-    view: &mut View,
-    miss_rate: f64,
-) -> Vec<Detection> {
-    view.look(&params.eyes[camera].camera, scene);
-    let mut detections = Vec::new();
-    for (index, (body, stream)) in scene.actors.iter().zip(streams).enumerate() {
-        let luck = Luck::draw(stream);
-        if luck.miss < miss_rate || !view.sees(index, params.visible_share) {
-            continue;
-        }
-        let [z1, z2, z3, z4] = luck.normals();
-        let mut road = body.road;
-        road.s += params.noise_along * z1;
-        road.d += params.noise_across * z2;
-        detections.push(Detection {
-            actor: ActorId(index as u32),
-            road,
-            s_rate: body.s_rate + params.noise_speed * z3,
-            d_rate: body.d_rate + params.noise_speed * z4,
-            footprint: body.footprint,
-        });
+impl Shutter {
+    /// By how much the next frame takes longer, of at most `jitter` [s].
+    fn late(&mut self, jitter: f64) -> SimTime {
+        let late = |stream: &mut ChaCha8Rng| SimTime::from_seconds(jitter * stream.random::<f64>());
+        self.lateness.as_mut().map_or(SimTime::ZERO, late)
     }
-    detections
+
+    /// Whether the picture just taken is lost, and counts it.
+    fn loses(&mut self, rate: f64) -> bool {
+        let lost = self
+            .loss
+            .as_mut()
+            .is_some_and(|stream| stream.random::<f64>() < rate);
+        self.lost += u64::from(lost);
+        lost
+    }
+
+    /// What the camera finds in a scene, into an old `list`.
+    fn detections(
+        &mut self,
+        eye: &Eye,
+        params: &Perception,
+        miss_rate: f64,
+        scene: &Scene,
+        list: Vec<Detection>,
+    ) -> Vec<Detection> {
+        self.view.look(&eye.camera, scene);
+        let mut detections = list;
+        detections.clear();
+        for (index, (body, fortune)) in scene.actors.iter().zip(&mut self.fortunes).enumerate() {
+            if !self.view.sees(index, params.visible_share) {
+                fortune.pass();
+                continue;
+            }
+            let luck = fortune.draw();
+            if luck.miss < miss_rate {
+                continue;
+            }
+            let [z1, z2, z3, z4] = luck.normals();
+            let mut road = body.road;
+            road.s += params.noise_along * z1;
+            road.d += params.noise_across * z2;
+            detections.push(Detection {
+                actor: ActorId(index as u32),
+                road,
+                s_rate: body.s_rate + params.noise_speed * z3,
+                d_rate: body.d_rate + params.noise_speed * z4,
+                footprint: body.footprint,
+            });
+        }
+        detections
+    }
 }

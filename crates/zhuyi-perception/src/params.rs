@@ -30,6 +30,10 @@ pub struct Perception {
     pub noise_speed: f64,
     /// [-] chance that a visible body is missed in a frame.
     pub miss_rate: f64,
+    /// [s] most by which a frame takes longer than its latency; uniform below it.
+    pub latency_jitter: f64,
+    /// [-] chance that a picture is lost after its exposure and never processed.
+    pub drop_rate: f64,
     /// M, consecutive missed frames of a camera that should see a track after which the track is lost; at least 1.
     pub lost_frames: u32,
     /// [m2/s5] variance per second by which the tracker expects accelerations along the road to wander.

@@ -34,7 +34,8 @@ pub struct Tracker {
     params: Perception,
     files: Vec<File>,
     tracks: Vec<Track>,
-    view: View,
+    /// One per camera.
+    views: Vec<View>,
 }
 
 /// What the ego knows of one actor, confirmed or not.
@@ -84,7 +85,7 @@ impl Tracker {
             ],
             params: params.clone(),
             tracks: Vec::with_capacity(actors),
-            view: View::default(),
+            views: vec![View::default(); params.eyes.len()],
         }
     }
 
@@ -113,9 +114,8 @@ impl Tracker {
             }
             file.counts[camera].found = 0;
             if let Some(belief) = &file.belief {
-                let track = belief.track(actor, frame.exposed, &self.params);
                 let eye = &self.params.eyes[camera].camera;
-                let expected = should_see(&mut self.view, eye, frame, &track, road);
+                let expected = should_see(&mut self.views[camera], eye, frame, belief, road);
                 file.miss(camera, expected, self.params.lost_frames);
             }
         }
@@ -181,12 +181,15 @@ impl File {
     }
 }
 
-/// Whether a camera has the whole box of a track before it, in a frame.
-fn should_see(view: &mut View, camera: &Camera, frame: &Frame, track: &Track, road: &Road) -> bool {
-    view.look_at_boxes(
-        camera,
-        frame.ego,
-        [(track.footprint, road.world_from_road(track.road))],
-    );
+/// Whether a camera has the whole box that is believed in before it, in a frame.
+fn should_see(
+    view: &mut View,
+    camera: &Camera,
+    frame: &Frame,
+    belief: &Belief,
+    road: &Road,
+) -> bool {
+    let pose = road.world_from_road(belief.place(frame.exposed));
+    view.look_at_boxes(camera, frame.ego, [(belief.footprint(), pose)]);
     view.sees(0, WHOLE)
 }

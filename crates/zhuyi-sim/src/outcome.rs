@@ -50,7 +50,7 @@ pub struct Frames {
     pub exposed: u64,
     /// Pictures processed within the run.
     pub processed: u64,
-    /// Pictures dropped while they waited for the accelerator: they were never transferred to it.
+    /// Pictures lost on their way, or dropped while they waited for the accelerator: they were never transferred to it.
     pub dropped: u64,
 }
 

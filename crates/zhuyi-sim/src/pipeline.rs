@@ -5,7 +5,8 @@
 //! ```
 //!
 //! Pictures enter at their exposure instants, so the order within a step of the loop is right. More of them than the
-//! accelerator can take make the system late by itself (reading R15). Left out: the time of the transfer.
+//! accelerator can take make the system late by itself (reading R15). Jitter of the latency comes after the accelerator and
+//! does not hold it up. Left out: the time of the transfer.
 
 use zhuyi_core::{CameraId, Frame, SimTime};
 use zhuyi_perception::Eyes;
@@ -58,8 +59,10 @@ impl Pipeline {
         }
         while let Some(done) = self.accelerator.take(now) {
             if let Some(picture) = take(&mut self.pictures, done.frame) {
+                // The cameras know no latency here, only its jitter.
+                let late = picture.ready - picture.exposed;
                 eyes.bring_back(Frame {
-                    ready: done.ready,
+                    ready: done.ready + late,
                     ..picture
                 });
             }

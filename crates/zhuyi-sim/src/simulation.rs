@@ -2,10 +2,11 @@
 
 use rand::RngExt;
 use zhuyi_core::{
-    Body, CameraId, Command, Forecast, FrameRates, Frenet, Manoeuvre, SimTime, Track,
+    Body, CameraId, Command, Forecast, FrameRates, Frenet, Manoeuvre, Road, SimTime, Track,
 };
 use zhuyi_perception::{Eyes, Purpose, Tracker};
 use zhuyi_planner::Planner;
+use zhuyi_prediction::Predictor;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::safety::Measures;
 use zhuyi_scheduler::{Compute, Discipline};
@@ -66,6 +67,9 @@ impl<'a> Simulation<'a> {
         );
         let stream = |purpose: Purpose| draws.stream(&spelt(purpose, scenario, system));
         let mut eyes = Eyes::new(&system.perception, rates, stream, world.scene());
+        if let Compute::Accelerator(_) = system.compute {
+            eyes = eyes.without_latency();
+        }
         let mut tracker = Tracker::new(&system.perception, scenario.actors.len());
         tracker.start_confirmed(&eyes.glance(world.scene()));
         Self {
@@ -103,15 +107,13 @@ impl<'a> Simulation<'a> {
     pub fn tick(&mut self) -> Option<Contact> {
         let (scene, road) = (self.world.scene(), &self.scenario.road);
         let tracks = self.tracker.tracks(scene.time);
-        self.forecasts.clear();
-        self.forecasts.extend(
-            tracks
-                .iter()
-                .map(|track| self.system.predictor.forecast(track, road)),
+        forecast(self.system.predictor, tracks, road, &mut self.forecasts);
+        let planned = self.planner.plan(
+            scene.time,
+            &scene.ego,
+            tracks,
+            &self.forecasts[..tracks.len()],
         );
-        let planned = self
-            .planner
-            .plan(scene.time, &scene.ego, tracks, &self.forecasts);
         let command = if self.backup {
             backed_up(planned, self.system.estimator.c3)
         } else {
@@ -136,6 +138,7 @@ impl<'a> Simulation<'a> {
             if let Some(witness) = &mut self.witness {
                 witness.taken(now, &frame);
             }
+            self.eyes.reuse(frame);
         }
         contact
     }
@@ -173,13 +176,13 @@ impl<'a> Simulation<'a> {
                 crash: self.world.crash(&contact),
             }),
         };
-        let frames = (0..self.system.perception.eyes.len() as u8).map(|camera| Frames {
-            exposed: self.eyes.frames_exposed(CameraId(camera)),
-            processed: self.eyes.frames_processed(CameraId(camera)),
-            dropped: self
-                .pipeline
-                .as_ref()
-                .map_or(0, |pipeline| pipeline.dropped(CameraId(camera))),
+        let waiting =
+            |camera| (self.pipeline.as_ref()).map_or(0, |pipeline| pipeline.dropped(camera));
+        let cameras = (0..self.system.perception.eyes.len() as u8).map(CameraId);
+        let frames = cameras.map(|camera| Frames {
+            exposed: self.eyes.frames_exposed(camera),
+            processed: self.eyes.frames_processed(camera),
+            dropped: self.eyes.frames_lost(camera) + waiting(camera),
         });
         Run {
             outcome,
@@ -243,6 +246,16 @@ impl<'a> Simulation<'a> {
     }
 }
 
+/// The forecasts of all tracks in their order, the first of the list; the rest of it is room for more.
+fn forecast(predictor: Predictor, tracks: &[Track], road: &Road, forecasts: &mut Vec<Forecast>) {
+    for (place, track) in tracks.iter().enumerate() {
+        match forecasts.get_mut(place) {
+            Some(old) => predictor.forecast_into(track, road, old),
+            None => forecasts.push(predictor.forecast(track, road)),
+        }
+    }
+}
+
 /// What a backup system makes of a command: it brakes with `decel` [m/s2] at least.
 fn backed_up(planned: Command, decel: f64) -> Command {
     if planned.accel <= -decel {
@@ -260,6 +273,8 @@ fn spelt(purpose: Purpose, scenario: &Scenario, system: &System) -> String {
     let camera = |id: CameraId| &system.perception.eyes[id.index()].camera.name;
     match purpose {
         Purpose::Phase(id) => format!("phase of {}", camera(id)),
+        Purpose::Latency(id) => format!("latencies of {}", camera(id)),
+        Purpose::Loss(id) => format!("losses of {}", camera(id)),
         Purpose::Detection(id, actor) => {
             format!(
                 "detections of {} by {}",

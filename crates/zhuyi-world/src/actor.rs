@@ -99,9 +99,9 @@ impl Mover {
         }
     }
 
-    /// Moves on by `dt` seconds.
-    pub fn advance(&mut self, road: &Road, dt: f64) {
-        self.s = self.s_after(road, dt);
+    /// Moves on by `dt` seconds, at whose end its [`Mover::body`] is at `s` [m].
+    pub fn arrive(&mut self, s: f64, dt: f64) {
+        self.s = s;
         self.moving = self.moving_after(dt);
         self.speed = (self.speed + self.accel * dt).max(0.0);
     }
@@ -116,6 +116,9 @@ impl Mover {
     fn s_after(&self, road: &Road, dt: f64) -> f64 {
         let way = (self.speed + self.accel * dt / 2.0) * dt;
         let curvature = road.curvature(self.s + way / 2.0);
+        if curvature == 0.0 {
+            return self.s + way; // all offsets are equally long
+        }
         self.s + way / (1.0 - curvature * self.lane_change.at(self.moving_after(dt / 2.0)).d)
     }
 
@@ -135,7 +138,11 @@ impl Mover {
             footprint,
             road: Frenet { s, d },
             pose: Pose::new(at.x, at.y, at.heading + turn),
-            speed: along.hypot(d_rate),
+            speed: if d_rate == 0.0 {
+                along
+            } else {
+                along.hypot(d_rate)
+            },
             accel: self.accel,
             s_rate: along / (1.0 - road.curvature(s) * d),
             d_rate,

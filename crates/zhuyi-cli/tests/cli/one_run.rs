@@ -401,3 +401,22 @@ fn hand_policies_that_cannot_be_meant_and_programs_that_fail() {
     );
     assert_eq!(bench.names("."), Vec::<String>::new());
 }
+
+/// Lost frames are told as dropped, and were never sent to an accelerator; jitter makes frames late, not fewer.
+#[test]
+fn law_lost_frames_are_counted_as_dropped() {
+    let bench = Bench::new();
+    let front = |settings: &str| {
+        let document = json(&bench, &format!("cut-in --set duration_s=4 {settings}"));
+        let camera = &document["cameras"][0];
+        ["exposed", "processed", "dropped"]
+            .map(|what| camera[format!("frames_{what}")].as_u64().unwrap())
+    };
+    let [exposed, processed, dropped] = front("");
+    assert!(dropped == 0 && exposed - processed <= 2);
+    let [same, fewer, dropped] = front("--set perception.drop_rate=0.25");
+    assert!(same == exposed && exposed - fewer - dropped <= 2);
+    assert!((15..=45).contains(&dropped), "{dropped} of {exposed}");
+    let [same, all, dropped] = front("--set perception.latency_jitter_ms=30");
+    assert!(same == exposed && exposed - all <= 3 && dropped == 0);
+}

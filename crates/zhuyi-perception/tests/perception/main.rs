@@ -4,10 +4,12 @@
 //! - `sight`: angular widths and occlusion, by hand and against a fan of rays cast by parry.
 //! - `delivery`: exposures, latency, changes of rate, noise and its pairing.
 //! - `confirmation`: how long it takes to believe in an actor, and to lose it.
+//! - `losses`: latencies that vary, frames that are lost.
 //! - `filter`: the Kalman filter against the truth and against its own covariance.
 
 mod confirmation;
 mod delivery;
 mod filter;
+mod losses;
 mod rig;
 mod sight;

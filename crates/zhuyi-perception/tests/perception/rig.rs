@@ -48,6 +48,8 @@ pub fn perception(eyes: Vec<Eye>) -> Perception {
         noise_across: 0.0,
         noise_speed: 0.0,
         miss_rate: 0.0,
+        latency_jitter: 0.0,
+        drop_rate: 0.0,
         lost_frames: 5,
         jerk_density_along: 1.0,
         jerk_density_across: 1.0,
@@ -83,6 +85,8 @@ pub fn draws(seed: u64) -> impl FnMut(Purpose) -> ChaCha8Rng {
             Purpose::Detection(camera, actor) => {
                 1000 * (u64::from(camera.0) + 1) + u64::from(actor.0)
             }
+            Purpose::Latency(camera) => 1_000_000 + u64::from(camera.0),
+            Purpose::Loss(camera) => 2_000_000 + u64::from(camera.0),
         };
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         rng.set_stream(stream);

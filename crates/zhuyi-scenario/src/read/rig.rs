@@ -37,6 +37,10 @@ pub(super) fn perception(node: &Node, vehicle: Option<&Vehicle>) -> Option<Rig> 
             noise_across: fields.number("noise_across_m", within(0.0, 10.0)),
             noise_speed: fields.number("noise_speed_mps", within(0.0, 10.0)),
             miss_rate: fields.number("miss_rate", within(0.0, 1.0)),
+            latency_jitter: fields
+                .number_or("latency_jitter_ms", within(0.0, 10_000.0), 0.0)
+                .map(|milliseconds| milliseconds / 1e3),
+            drop_rate: fields.number_or("drop_rate", within(0.0, 1.0), 0.0),
             lost_frames: fields.whole("lost_frames", COUNT),
             jerk_density_along: fields.number("jerk_density_along_m2ps5", above(0.0, 10_000.0)),
             jerk_density_across: fields.number("jerk_density_across_m2ps5", above(0.0, 10_000.0)),

@@ -69,6 +69,8 @@ fn perception(system: &System) -> Value {
         ("noise_across_m", Number(perception.noise_across)),
         ("noise_speed_mps", Number(perception.noise_speed)),
         ("miss_rate", Number(perception.miss_rate)),
+        ("latency_jitter_ms", milliseconds(perception.latency_jitter)),
+        ("drop_rate", Number(perception.drop_rate)),
         ("lost_frames", Whole(perception.lost_frames)),
         (
             "jerk_density_along_m2ps5",
@@ -117,9 +119,13 @@ fn camera(
 /// A latency [s] of its own, or the frame period.
 fn frame_latency(latency: Option<f64>) -> Value {
     latency.map_or(Variant("FramePeriod", Vec::new()), |latency| {
-        let milliseconds = number_for(latency, latency * 1e3, |ms| ms / 1e3);
-        Variant("Fixed", vec![("latency_ms", milliseconds)])
+        Variant("Fixed", vec![("latency_ms", milliseconds(latency))])
     })
+}
+
+/// Seconds in milliseconds.
+fn milliseconds(seconds: f64) -> Value {
+    number_for(seconds, seconds * 1e3, |ms| ms / 1e3)
 }
 
 fn prediction(predictor: Predictor) -> Value {

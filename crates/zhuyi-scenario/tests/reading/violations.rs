@@ -382,6 +382,16 @@ fn hand_systems() {
                 "9:54 `fov_deg` must be 1 to 360, got 361",
             ),
             (
+                "miss_rate: 0,",
+                "miss_rate: 0, drop_rate: 1.5,",
+                "13:99 `drop_rate` must be 0 to 1, got 1.5",
+            ),
+            (
+                "miss_rate: 0,",
+                "miss_rate: 0, latency_jitter_ms: -1,",
+                "13:107 `latency_jitter_ms` must be 0 to 10000, got -1",
+            ),
+            (
                 r#"name: "rear""#,
                 r#"name: "front""#,
                 "10:20 two cameras are called `front`",

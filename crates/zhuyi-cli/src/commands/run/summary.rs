@@ -162,7 +162,7 @@ pub struct Camera {
     pub frames_exposed: u64,
     /// Frames processed.
     pub frames_processed: u64,
-    /// Frames dropped while they waited for the accelerator.
+    /// Frames lost on their way, or dropped while they waited for the accelerator.
     pub frames_dropped: u64,
     /// Frames of a camera at 30 frames per second that were not sent to the accelerator.
     pub transfers_avoided: u64,
