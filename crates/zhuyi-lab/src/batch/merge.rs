@@ -170,35 +170,46 @@ fn check(
     text: impl Read,
     tell: Tell<'_>,
 ) -> Result<(), BatchError> {
-    let mut reader = csv::Reader::from_reader(text);
-    let no_table = |error: csv::Error| damaged(path, &error.to_string());
-    let mut names: Vec<&str> = NAMED_BY.into();
-    names.extend(plan.varied.iter().map(String::as_str));
-    names.push(OUTCOME);
-    let outcome = names.len() - 1;
-    let header = reader.headers().map_err(no_table)?;
-    if !header.iter().take(names.len()).eq(names.iter().copied()) {
-        return Err(damaged(path, "its header is another"));
+    plan.made(places, text, tell)
+        .map_err(|reason| damaged(path, &reason))
+}
+
+impl Plan {
+    /// Tells what the runs of a table, `runs.csv` or one of its blocks, came to, which must be those at these places, in
+    /// their order.
+    ///
+    /// # Errors
+    /// When it is another table.
+    pub fn made(&self, places: Range<u64>, text: impl Read, tell: Tell<'_>) -> Result<(), String> {
+        let mut reader = csv::Reader::from_reader(text);
+        let no_table = |error: csv::Error| error.to_string();
+        let mut names: Vec<&str> = NAMED_BY.into();
+        names.extend(self.varied.iter().map(String::as_str));
+        names.push(OUTCOME);
+        let outcome = names.len() - 1;
+        let header = reader.headers().map_err(no_table)?;
+        if !header.iter().take(names.len()).eq(names.iter().copied()) {
+            return Err("its header is another".to_string());
+        }
+        let mut expected = places.clone();
+        let reached = |expected: &Range<u64>| expected.start - places.start;
+        let mut row = StringRecord::new();
+        while reader.read_record(&mut row).map_err(no_table)? {
+            let before = reached(&expected);
+            let run = expected.next().map(|place| self.run(place));
+            let is_meant = |run: &Run| self.fields(*run).iter().eq(row.iter().take(outcome));
+            let made = row.get(outcome).and_then(Made::named);
+            let Some((run, made)) = run.filter(is_meant).zip(made) else {
+                return Err(format!("its run {} is another", before + 1));
+            };
+            tell(self, run, made);
+        }
+        if !expected.is_empty() {
+            let (found, count) = (reached(&expected), places.end - places.start);
+            return Err(format!("it has {found} of {count} runs"));
+        }
+        Ok(())
     }
-    let mut expected = places.clone();
-    let reached = |expected: &Range<u64>| expected.start - places.start;
-    let mut row = StringRecord::new();
-    while reader.read_record(&mut row).map_err(no_table)? {
-        let before = reached(&expected);
-        let run = expected.next().map(|place| plan.run(place));
-        let is_meant = |run: &Run| plan.fields(*run).iter().eq(row.iter().take(outcome));
-        let made = row.get(outcome).and_then(Made::named);
-        let Some((run, made)) = run.filter(is_meant).zip(made) else {
-            let reason = format!("its run {} is another", before + 1);
-            return Err(damaged(path, &reason));
-        };
-        tell(plan, run, made);
-    }
-    if !expected.is_empty() {
-        let (found, count) = (reached(&expected), places.end - places.start);
-        return Err(damaged(path, &format!("it has {found} of {count} runs")));
-    }
-    Ok(())
 }
 
 pub(super) fn damaged(path: &Path, reason: &str) -> BatchError {
