@@ -97,7 +97,7 @@ impl<'a> View<'a> {
     #[inline]
     pub fn begins_across_block(&self, index: usize) -> bool {
         let ([.., finest], [.., size]) = (self.across, ACROSS_BLOCKS);
-        index % size == 0 && index / size < finest.len()
+        index.is_multiple_of(size) && index / size < finest.len()
     }
 
     /// The offsets from `time` to the end of each block of a piece, the longest first, and the piece behind that block.
@@ -111,7 +111,7 @@ impl<'a> View<'a> {
         let at = time + self.future.now;
         let levels = self.across.into_iter().zip(ACROSS_BLOCKS);
         levels.filter_map(move |(blocks, size)| {
-            if index % size != 0 && time > 0.0 {
+            if !index.is_multiple_of(size) && time > 0.0 {
                 return None;
             }
             let block = blocks.get(index / size)?;
