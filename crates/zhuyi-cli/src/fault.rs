@@ -104,6 +104,21 @@ pub enum Fault {
     /// Not the form of a varied parameter.
     #[error("a varied parameter has the form path=from:to[:step] or path=[a,b,..], got `{0}`")]
     VaryForm(String),
+    /// A value that a choice cannot have.
+    #[error("`{path}` must be {wanted}, got `{got}`")]
+    Choice {
+        /// The choice.
+        path: String,
+        /// What it may be.
+        wanted: &'static str,
+        /// What was typed.
+        got: String,
+    },
+    /// A choice of values that are drawn.
+    #[error(
+        "a choice has listed values, path=from:to[:step] or path=[a,b,..], and none that are drawn"
+    )]
+    DrawnChoice,
     /// A list of values without one.
     #[error("a varied parameter needs at least one value")]
     NoValue,

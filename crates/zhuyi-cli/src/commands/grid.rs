@@ -1,27 +1,18 @@
 //! What `sweep` and `mrf` have in common: scenarios, the same rate on all cameras, seeds.
 
-use std::ops::Range;
-
 use clap::Args;
-use zhuyi_core::FrameRates;
-use zhuyi_estimator::Estimator;
-use zhuyi_lab::Progress;
 use zhuyi_lab::mrf::{Required, required, told};
 use zhuyi_lab::runs::Typed;
 use zhuyi_lab::statistics::bound_without_event;
-use zhuyi_lab::sweep::{Cell, Experiment, Record, grid, uniform};
+use zhuyi_lab::sweep::Experiment;
 use zhuyi_scenario::{Scenario, System};
 
 use super::run::seed;
 use crate::argument::Argument;
-use crate::error::Error;
 use crate::inputs::{Inputs, Setup, Texts};
-use crate::interrupt;
 use crate::problems::Problems;
-use crate::progress::Bar;
 use crate::ranges::frame_rates;
 use crate::shell;
-use crate::tables::table;
 
 /// The rates where none are typed.
 pub const RATES: &str = "1:30";
@@ -81,13 +72,6 @@ pub fn seed_count(argument: Argument<'_>, problems: &mut Problems) -> Option<u64
 }
 
 impl Arguments {
-    /// What was typed, as meant.
-    pub fn meant(&self) -> Result<Grid, Error> {
-        let mut problems = Problems::default();
-        let grid = self.read(&mut problems);
-        problems.finish(grid)
-    }
-
     /// What was typed, as meant, with all that is wrong noted.
     pub fn read(&self, problems: &mut Problems) -> Option<Grid> {
         let read = Inputs::read(&self.scenarios, &self.setup, problems);
@@ -172,55 +156,6 @@ impl Grid {
             system: &self.system,
             root_seed: self.root_seed,
         }
-    }
-
-    /// Makes all drives, each put to these estimators; Ctrl-C ends it.
-    pub fn run(&self, estimators: &[Estimator]) -> Result<Vec<Record>, Error> {
-        interrupt::listen()?;
-        let rates: Vec<FrameRates> = self
-            .rates
-            .iter()
-            .map(|fps| uniform(&self.system, *fps))
-            .collect();
-        let seeds: Range<u64> = 0..self.seeds;
-        let cells: Vec<Cell> = grid(self.scenarios.len(), &rates, seeds);
-        let bar = Bar::new();
-        bar.start("drives", cells.len() as u64);
-        Ok(self.experiment().run(&cells, |_| estimators, || bar.step()))
-    }
-
-    /// The minimum required rate of each scenario, with the drives that it rests on.
-    pub fn table(&self, records: &[Record]) -> String {
-        let names: Vec<&str> = ["scenario"].into_iter().chain(REQUIRED).collect();
-        let mut rows = table(&names, &[1]);
-        let per_scenario = self.rates.len() * self.seeds as usize;
-        for (scenario, records) in self.scenarios.iter().zip(records.chunks(per_scenario)) {
-            let collisions = self.collisions(records);
-            let name = scenario.name.clone();
-            rows.add_row([name].into_iter().chain(required_cells(&collisions)));
-        }
-        rows.trim_fmt() + "\n"
-    }
-
-    /// Rates with the number of seeds that collided.
-    fn collisions(&self, records: &[Record]) -> Vec<(u32, u32)> {
-        let count = |records: &[Record]| {
-            records
-                .iter()
-                .filter(|record| record.collision.is_some())
-                .count()
-        };
-        let chunks = records.chunks(self.seeds as usize);
-        self.rates
-            .iter()
-            .copied()
-            .zip(chunks.map(|records| count(records) as u32))
-            .collect()
-    }
-
-    /// What a table of this kind says and what not.
-    pub fn legend(&self) -> String {
-        legend(self.rates.len(), self.seeds)
     }
 }
 

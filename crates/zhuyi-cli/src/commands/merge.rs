@@ -6,7 +6,7 @@ use clap::Args;
 use zhuyi_lab::batch;
 
 use super::Task;
-use super::sweep::{self, parquet};
+use super::sweep::{Told, parquet};
 use crate::answer::Answer;
 use crate::error::Error;
 use crate::problems::Problems;
@@ -51,10 +51,13 @@ impl Arguments {
 
 impl Task for Merge {
     fn run(self: Box<Self>) -> Result<Answer, Error> {
-        let (plan, made) = batch::merge(&self.dirs, &self.out)?;
+        let mut told = Told::default();
+        let plan = batch::merge(&self.dirs, &self.out, &mut |plan, run, made| {
+            told.add(plan, run, made);
+        })?;
         if let Some(write) = self.parquet {
             write(&self.out)?;
         }
-        Ok(Answer::new(sweep::told(&plan, &made, &self.out)))
+        Ok(Answer::new(told.text(&plan, &self.out)))
     }
 }

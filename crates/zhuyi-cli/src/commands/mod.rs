@@ -2,7 +2,9 @@
 
 mod allocate;
 mod beyond;
+mod boundary;
 mod check;
+mod choices;
 mod compare;
 mod delivery;
 mod diff;
@@ -11,6 +13,7 @@ mod explain;
 mod figures;
 mod grid;
 mod list;
+mod map;
 mod merge;
 mod mrf;
 mod new;
@@ -85,6 +88,10 @@ pub enum Command {
     Diff(diff::Arguments),
     /// Find the minimum required frame rate: from it on no seed collides
     Mrf(mrf::Arguments),
+    /// Map the share of collisions over the frame rate and another factor
+    Map(map::Arguments),
+    /// Find the minimum required rate over a free choice, with drives on the border of safe and unsafe
+    Boundary(boundary::Arguments),
     /// Make the paper's table, ours beside the published one
     Reproduce(reproduce::Arguments),
     /// See how the minimum required rates move with what was chosen
@@ -117,6 +124,8 @@ impl Command {
             Self::Merge(typed) => Box::new(typed.meant()?),
             Self::Diff(typed) => Box::new(typed.meant()),
             Self::Mrf(typed) => Box::new(typed.meant()?),
+            Self::Map(typed) => Box::new(typed.meant()?),
+            Self::Boundary(typed) => Box::new(typed.meant()?),
             Self::Reproduce(typed) => Box::new(typed.meant()?),
             Self::Robustness(typed) => Box::new(typed.meant()?),
             Self::Compare(typed) => Box::new(typed.meant()?),

@@ -1,10 +1,11 @@
 //! `zhuyi sweep`: many drives, one row each, in blocks that survive a kill.
 
 use std::path::PathBuf;
+use std::thread::{self, ScopedJoinHandle};
 
 use clap::Args;
 use zhuyi_lab::Progress;
-use zhuyi_lab::batch::{Batch, Folder, Named, Plan, SCHEMA, Shard};
+use zhuyi_lab::batch::{Batch, BatchError, Folder, Named, Plan, SCHEMA, Shard};
 use zhuyi_scenario::{Rule, Setting, load};
 
 use super::{Task, grid};
@@ -22,8 +23,8 @@ pub mod parquet;
 pub mod plan;
 mod told;
 
+pub use told::Told;
 use told::counted;
-pub use told::told;
 
 /// `zhuyi sweep` as typed.
 #[derive(Args, Debug)]
@@ -276,7 +277,7 @@ impl Sweep {
         }
     }
 
-    /// Makes the blocks that are missing.
+    /// Makes the blocks that are missing. While one is made the one before is written: a disk takes its time to be sure.
     fn make(&self, folder: &Folder<'_>) -> Result<(), Error> {
         let batch = self.batch();
         let missing = folder.missing(self.shard)?;
@@ -286,19 +287,29 @@ impl Sweep {
             "drives",
             drives.map(|places| places.end - places.start).sum(),
         );
-        for number in &missing {
-            if interrupt::asked() {
-                let told = format!(
-                    "interrupted: {} of {} blocks are complete; this goes on with the rest:\n  {}",
-                    self.plan.blocks() - folder.missing(Shard::WHOLE)?.len() as u64,
-                    self.plan.blocks(),
-                    go_on()
-                );
-                return Err(Error::Interrupted(told));
+        thread::scope(|scope| {
+            let mut writing = None;
+            for number in missing {
+                if interrupt::asked() {
+                    finished(writing)?;
+                    return Err(self.interrupted(folder)?);
+                }
+                let rows = batch.block(number, || bar.step());
+                finished(writing)?;
+                writing = Some(scope.spawn(move || folder.write(number, &rows)));
             }
-            folder.write(*number, &batch.block(*number, || bar.step()))?;
-        }
-        Ok(())
+            finished(writing)
+        })
+    }
+
+    fn interrupted(&self, folder: &Folder<'_>) -> Result<Error, Error> {
+        let told = format!(
+            "interrupted: {} of {} blocks are complete; this goes on with the rest:\n  {}",
+            self.plan.blocks() - folder.missing(Shard::WHOLE)?.len() as u64,
+            self.plan.blocks(),
+            go_on()
+        );
+        Ok(Error::Interrupted(told))
     }
 
     /// What would be made.
@@ -320,6 +331,15 @@ impl Sweep {
             replays.concat(),
             if plan.runs() > FIRST { "  ..\n" } else { "" },
         )
+    }
+}
+
+/// Waits for a block to be written, if one is.
+fn finished(writing: Option<ScopedJoinHandle<'_, Result<(), BatchError>>>) -> Result<(), Error> {
+    match writing.map(ScopedJoinHandle::join) {
+        None => Ok(()),
+        Some(Ok(written)) => Ok(written?),
+        Some(Err(panic)) => std::panic::resume_unwind(panic),
     }
 }
 
@@ -359,10 +379,11 @@ impl Task for Sweep {
                 out.display()
             )));
         }
-        let made = folder.finish()?;
+        let mut told = Told::default();
+        folder.finish(&mut |plan, run, made| told.add(plan, run, made))?;
         if let Some(write) = self.parquet {
             write(out)?;
         }
-        Ok(Answer::new(told(&self.plan, &made, out)))
+        Ok(Answer::new(told.text(&self.plan, out)))
     }
 }

@@ -9,6 +9,7 @@ mod typed;
 
 use clap::Args;
 use zhuyi_lab::batch::{Distribution, Sampling, samples};
+use zhuyi_lab::choice::{Choice, is_named};
 use zhuyi_scenario::{Plan, did_you_mean};
 
 use crate::argument::Argument;
@@ -248,6 +249,30 @@ impl Asked<'_> {
         }
         Some(combined(axes, &listed().collect::<Vec<_>>(), samples))
     }
+}
+
+/// Choices with the values that each is to have, one at a time; some have a name in place of a path.
+pub fn choices(typed: &[String], problems: &mut Problems) -> Option<Vec<Choice>> {
+    let before = problems.len();
+    let typed = typed.iter();
+    let typed: Vec<_> = typed
+        .filter_map(|text| Typed::named_flag(text, is_named, problems))
+        .collect();
+    let axes = axis::axes(&typed, problems)?;
+    let mut choices = Vec::new();
+    for (axis, typed) in axes.into_iter().zip(&typed) {
+        match axis.values {
+            Values::Listed(values) => choices.push(Choice {
+                path: axis.path,
+                values,
+            }),
+            Values::Drawn(_) => {
+                let path = typed.path;
+                path.refuse(&path.all(), Fault::DrawnChoice, problems);
+            }
+        }
+    }
+    (problems.len() == before).then_some(choices)
 }
 
 /// The parameters that are drawn.

@@ -83,6 +83,15 @@ impl<'a> Typed<'a> {
 
     /// What a flag says.
     pub fn flag(text: &'a str, problems: &mut Problems) -> Option<Self> {
+        Self::named_flag(text, |_| false, problems)
+    }
+
+    /// The same where what `is_named` knows may stand in place of a path.
+    pub fn named_flag(
+        text: &'a str,
+        is_named: fn(&str) -> bool,
+        problems: &mut Problems,
+    ) -> Option<Self> {
         let argument = Argument::new(FLAG, text);
         let whole = argument.all();
         let Some(equals) = text.find('=') else {
@@ -92,8 +101,14 @@ impl<'a> Typed<'a> {
         let path = argument.within(&argument.trimmed(&(0..equals)));
         let spec = argument.within(&argument.trimmed(&(equals + 1..whole.end)));
         if spec.typed().starts_with('[') {
-            // Read as a setting, so that an unknown path or what is no RON is told as everywhere.
-            let setting = problems.take(Setting::parse_as(FLAG, text))?;
+            // Read as a setting, so that an unknown path or what is no RON is told as everywhere. What is no path stands
+            // for one here.
+            let as_path = if is_named(path.typed()) {
+                format!("duration_s={}", spec.typed())
+            } else {
+                text.to_string()
+            };
+            let setting = problems.take(Setting::parse_as(FLAG, &as_path))?;
             let entries = setting.entries()?.into_iter().map(String::from).collect();
             let values = Spec::List(spec, entries);
             return Some(Self { path, values });
@@ -103,8 +118,10 @@ impl<'a> Typed<'a> {
         } else {
             range(argument, spec, problems)?
         };
-        let probe = format!("{}=0", path.typed());
-        problems.take(Setting::parse_as(FLAG, &probe))?;
+        if !is_named(path.typed()) {
+            let probe = format!("{}=0", path.typed());
+            problems.take(Setting::parse_as(FLAG, &probe))?;
+        }
         Some(Self { path, values })
     }
 }

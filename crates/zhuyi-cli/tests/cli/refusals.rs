@@ -123,6 +123,18 @@ fn hand_ranges() {
     );
     refused("mrf cut-in --fpr 1:1001", &["got 1001", "--fpr:1:3"]);
     refused(
+        "mrf cut-in --phases 0 --at-most 1",
+        &[
+            "the number of phases must be 1 to 1000, got 0",
+            "a chance of a collision that is allowed must be 0.0001 to 0.9999, got 1",
+            "--at-most:1:1",
+        ],
+    );
+    refused(
+        "mrf cut-in --per-camera --phases 3",
+        &["cannot be used with"],
+    );
+    refused(
         "mrf cut-in --fpr 1:NaN",
         &["expected a whole number, got `NaN`"],
     );

@@ -34,7 +34,7 @@ mod table;
 pub use blocks::{Folder, Shard};
 pub use error::BatchError;
 pub use make::Batch;
-pub use merge::{Made, merge};
+pub use merge::{Made, Tell, merge};
 pub use plan::{Named, Plan, Run, SCHEMA, schema};
 pub use sample::{Distribution, Sampling, samples};
 pub use table::table;

@@ -17,6 +17,9 @@ pub const SCHEMA: u32 = 1;
 /// The lock file of the workspace at build time: the versions of all that a run computes with.
 const LOCK: &str = include_str!("../../../../Cargo.lock");
 
+/// The most runs of a plan in full: far more than anybody can make, and few enough to be counted.
+const MOST_RUNS: usize = 1_000_000_000_000;
+
 /// The part of `runs.csv` that a sweep's runs are in.
 pub(super) const PART: &str = "sweep";
 
@@ -210,6 +213,13 @@ impl Plan {
         ];
         if counts.contains(&0) {
             return Err("it has no run".to_string());
+        }
+        let [scenarios, points, rates, seeds, _] = counts;
+        let product = [points, rates, seeds]
+            .into_iter()
+            .try_fold(scenarios, usize::checked_mul);
+        if product.is_none_or(|runs| runs > MOST_RUNS) {
+            return Err(format!("it has more than {MOST_RUNS} runs"));
         }
         Ok(plan)
     }
