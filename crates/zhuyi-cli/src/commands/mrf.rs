@@ -1,6 +1,6 @@
 //! `zhuyi mrf`: the minimum required frame rate (reading R20), of all cameras together or of each by itself.
 
-mod document;
+pub mod document;
 mod per_camera;
 mod uniform;
 

@@ -11,9 +11,9 @@ use zhuyi_lab::columns::Table;
 use zhuyi_lab::{batch, manifest, runs};
 use zhuyi_scenario::{System, did_you_mean};
 
-use super::Task;
 use super::explain::document::Explanation;
 use super::run::summary::Summary;
+use super::{Task, mrf};
 use crate::answer::Answer;
 use crate::argument::Argument;
 use crate::error::Error;
@@ -21,7 +21,7 @@ use crate::fault::Fault;
 use crate::inputs::default_system;
 use crate::problems::Problems;
 
-/// Version of `run --json` and `explain --json`: fields are added to them, never renamed.
+/// Version of what `--json` prints: fields are added to them, never renamed.
 const VERSION: u32 = 1;
 
 /// `zhuyi schema` as typed.
@@ -56,7 +56,7 @@ pub enum Schema {
 type Document = (&'static str, &'static str, fn() -> Value);
 
 /// All documents.
-const DOCUMENTS: [Document; 4] = [
+const DOCUMENTS: [Document; 5] = [
     ("run", "zhuyi run --json: one drive", || {
         zhuyi_lab::schema::document::<Summary>("run", VERSION)
     }),
@@ -64,6 +64,11 @@ const DOCUMENTS: [Document; 4] = [
         "explain",
         "zhuyi explain --json: why a drive collided",
         || zhuyi_lab::schema::document::<Explanation>("explain", VERSION),
+    ),
+    (
+        "mrf",
+        "zhuyi mrf --json: minimum required rates, and what they rest on",
+        || zhuyi_lab::schema::document::<mrf::document::Document>("mrf", VERSION),
     ),
     (
         "plan",
@@ -133,11 +138,11 @@ fn list() -> String {
     let mut text = "Documents, as JSON Schema:\n".to_string();
     // Writing to a string cannot fail.
     for (name, meaning, _) in DOCUMENTS {
-        let _ = writeln!(text, "  {name:<16}{meaning}");
+        let _ = writeln!(text, "  {name:<18}{meaning}");
     }
     text += "\nTables, as Frictionless Table Schema:\n";
     for table in all_tables() {
-        let _ = writeln!(text, "  {:<16}{}", table.name, table.meaning);
+        let _ = writeln!(text, "  {:<18}{}", table.name, table.meaning);
     }
-    text + "  DIR             runs.csv of the sweep in this folder\n"
+    text + "  DIR               runs.csv of the sweep in this folder\n"
 }

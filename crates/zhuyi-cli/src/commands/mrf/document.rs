@@ -2,6 +2,7 @@
 //!
 //! The document is stable: fields are added, never renamed. Units stand in the names; what there is not is `null`.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 use zhuyi_lab::shares::{Confident, Share, Stop};
 use zhuyi_lab::sweep::{Cell, uniform};
@@ -10,7 +11,7 @@ use super::uniform::Search;
 use crate::shell;
 
 /// The document.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct Document {
     /// Root of all randomness.
     root_seed: u64,
@@ -29,7 +30,7 @@ pub struct Document {
 }
 
 /// The minimum required rate of a scenario.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct OfScenario {
     /// Its name.
     scenario: String,
@@ -50,7 +51,7 @@ struct OfScenario {
 }
 
 /// The drives at a rate.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 struct AtRate {
     /// [FPR] the rate.
     rate_fpr: u32,
