@@ -41,7 +41,9 @@ fn grid(mapping: &Mapping) -> Vec<Map> {
 
 #[test]
 fn law_the_border_is_that_of_the_full_grid_with_a_part_of_the_drives() {
-    let values = ["0.8", "0.84", "0.88", "0.92", "0.96", "1", "1.04", "1.08", "1.12"];
+    let values = [
+        "0.8", "0.84", "0.88", "0.92", "0.96", "1", "1.04", "1.08", "1.12",
+    ];
     let mapping = mapping(DISTANCES, &values, (1..=12).collect());
     let plan = Boundary {
         bench: mapping.bench.clone(),
@@ -59,7 +61,13 @@ fn law_the_border_is_that_of_the_full_grid_with_a_part_of_the_drives() {
         assert_eq!(curve.scenario, map.scenario);
         for (point, row) in curve.points.iter().zip(&map.rows) {
             let counts: Vec<(u32, u32)> = row.shares.iter().map(|s| (s.rate, s.collided)).collect();
-            assert_eq!(point.mrf, required(&counts).mrf, "{} at {}", map.scenario, row.value);
+            assert_eq!(
+                point.mrf,
+                required(&counts).mrf,
+                "{} at {}",
+                map.scenario,
+                row.value
+            );
         }
         // What was driven came to the same.
         for ((value, rate), cell) in &curve.cells {
@@ -68,7 +76,11 @@ fn law_the_border_is_that_of_the_full_grid_with_a_part_of_the_drives() {
             assert!(cell.audit != Some(true));
         }
         driven += curve.cells.len();
-        steps += curve.points.windows(2).filter(|pair| pair[0].mrf != pair[1].mrf).count();
+        steps += curve
+            .points
+            .windows(2)
+            .filter(|pair| pair[0].mrf != pair[1].mrf)
+            .count();
     }
     assert!(steps >= 3, "a border that goes nowhere proves nothing");
     assert!(driven < 2 * 9 * 12 * 3 / 4, "{driven}");
@@ -84,7 +96,10 @@ fn law_a_map_is_paired_and_its_files_have_every_cell() {
     let line = "cut-out-fast,perception.drop_rate,0,4,2,2,1.0000,0.3424,1.0000";
     assert!(csv.lines().any(|row| row == line), "{csv}");
     let page = page(&mapping, &maps, &["x.svg".to_string()]);
-    assert!(page.contains("\n## perception.drop_rate\n") && page.contains("](x.svg)"), "{page}");
+    assert!(
+        page.contains("\n## perception.drop_rate\n") && page.contains("](x.svg)"),
+        "{page}"
+    );
     // Half of the frames lost is never better here.
     for map in &maps {
         for (all, half) in map.rows[0].shares.iter().zip(&map.rows[1].shares) {
