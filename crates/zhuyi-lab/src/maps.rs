@@ -159,11 +159,10 @@ pub fn page(mapping: &Mapping, maps: &[Map], figures: &[String]) -> String {
 }
 
 fn line(mapping: &Mapping, map: &Map) -> Vec<String> {
-    let highest = mapping.rates.iter().copied().max().unwrap_or_default();
     let cell = |row: &Row| {
         let found = row.confident(mapping.trials.resolution());
         let mrf = found.required.mrf.to_string();
-        let range = found.range(highest);
+        let range = found.range(&mapping.rates);
         let range = if range == mrf {
             String::new()
         } else {

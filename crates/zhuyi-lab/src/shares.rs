@@ -222,9 +222,14 @@ impl Confident {
         }
     }
 
-    /// The rates between which it lies, as `5..6`, `6` or `5..>30`; `highest` was tested.
-    pub fn range(&self, highest: u32) -> String {
-        let spelt = |rate: Option<u32>| rate.map_or(Mrf::Above(highest), Mrf::Rate).to_string();
+    /// The rates between which it lies, as `5..6`, `6` or `5..>30`, of those that were `tested`, ascending.
+    pub fn range(&self, tested: &[u32]) -> String {
+        let lowest = tested.first().copied().unwrap_or_default();
+        let spelt = |rate: Option<u32>| match rate {
+            None => Mrf::Above(tested.last().copied().unwrap_or_default()).to_string(),
+            Some(rate) if rate == lowest && rate > 1 => Mrf::AtMost(rate).to_string(),
+            Some(rate) => Mrf::Rate(rate).to_string(),
+        };
         let (low, high) = (spelt(self.not_excluded), spelt(self.shown));
         if low == high {
             low
@@ -266,13 +271,13 @@ mod tests {
     fn hand_the_range_ends_where_rates_are_excluded_and_shown() {
         // Wilson: 10 of 10 has 0.72 to 1, 3 of 10 has 0.108 to 0.603, 0 of 10 has 0 to 0.278.
         let shares = [share(4, 10, 10), share(5, 3, 10), share(6, 0, 10)];
-        let at = |at_most| Confident::of(&shares, at_most).range(6);
+        let at = |at_most| Confident::of(&shares, at_most).range(&[4, 5, 6]);
         assert_eq!(at(wilson_interval(0, 10).1), "5..6");
         assert_eq!(at(0.1), "6..>6");
         assert_eq!(at(0.61), "5");
-        assert_eq!(at(0.8), "4..5");
+        assert_eq!(at(0.8), "<=4..5");
         let worst = Confident::of(&[share(30, 10, 10)], 0.1);
-        assert_eq!(worst.range(30), ">30");
+        assert_eq!(worst.range(&[30]), ">30");
         assert_eq!(worst.required.mrf, Mrf::Above(30));
     }
 

@@ -5,6 +5,7 @@
 //! | `batches` | `sweep` with `--vary`, killed, interrupted and resumed, in shards; `merge` |
 //! | `budgets` | `allocate`: policies under budgets |
 //! | `plans` | `sweep plan.ron`: one sweep with the equal flags, broken plans |
+//! | `choices` | `map` and `boundary` |
 //! | `files` | `list`, `show`, `check`, `new` |
 //! | `one_run` | `run`: text, JSON, trace, rates, settings |
 //! | `many_runs` | `mrf`, `sweep`, `reproduce`, `robustness`, `compare`, `beyond`, `figures` |
@@ -19,6 +20,7 @@
 
 mod batches;
 mod budgets;
+mod choices;
 mod explanations;
 mod files;
 mod many_runs;

@@ -3,7 +3,7 @@
 use crate::Bench;
 
 /// The command is refused, and tells all of this.
-fn refused(line: &str, told: &[&str]) {
+pub fn refused(line: &str, told: &[&str]) {
     let ran = Bench::new().zhuyi(line);
     assert_eq!(
         (ran.code, ran.out.as_str()),

@@ -46,7 +46,13 @@ pub fn figure(maps: &[Map]) -> String {
             let corner = (px(panel.0, place % COLUMNS), px(panel.1, place / COLUMNS));
             draw(map, area, corner)?;
         }
-        let note = "number in a cell: drives that collided; white: none; line: the MRF";
+        let cell = maps
+            .first()
+            .and_then(|map| map.rows.first()?.shares.first());
+        let drives = cell.map_or(0, |share| share.drives);
+        let note = format!(
+            "number in a cell: of {drives} drives so many collided; white: none; line: the MRF"
+        );
         let at = (16, px(panel.1, lines) + 18);
         area.draw(&Text::new(
             note,
@@ -66,6 +72,8 @@ fn draw(map: &Map, area: &Area<'_>, (left, top): (i32, i32)) -> Result<(), Failu
         ))
     };
     text(&map.scenario, (x, top + 22), (TITLE, HPos::Left))?;
+    let cells = map.rows.first().map_or(0, |row| row.shares.len());
+    draw_grid(area, (x, y), (cells, map.rows.len()))?;
     // The first value below, as on an axis.
     for (line, row) in (0..).zip(map.rows.iter().rev()) {
         let middle = y + CELL.1 * line + CELL.1 / 2;
@@ -105,13 +113,11 @@ fn draw(map: &Map, area: &Area<'_>, (left, top): (i32, i32)) -> Result<(), Failu
 }
 
 fn draw_cell(share: &Share, area: &Area<'_>, (x, y): (i32, i32)) -> Result<(), Failure> {
-    let corners = [(x, y), (x + CELL.0, y + CELL.1)];
-    let colour = colour(share);
-    area.draw(&Rectangle::new(corners, colour.filled()))?;
-    area.draw(&Rectangle::new(corners, BLACK.mix(0.25).stroke_width(1)))?;
     if share.collided == 0 {
         return Ok(());
     }
+    let corners = [(x + 1, y + 1), (x + CELL.0, y + CELL.1)];
+    area.draw(&Rectangle::new(corners, colour(share).filled()))?;
     let ink = if share.share() > 0.45 { WHITE } else { BLACK };
     let middle = (x + CELL.0 / 2, y + CELL.1 / 2);
     area.draw(&Text::new(
@@ -121,11 +127,31 @@ fn draw_cell(share: &Share, area: &Area<'_>, (x, y): (i32, i32)) -> Result<(), F
     ))
 }
 
-/// White where nothing collided, else the ramp in equal steps.
+/// The lines between cells.
+fn draw_grid(
+    area: &Area<'_>,
+    (x, y): (i32, i32),
+    (across, along): (usize, usize),
+) -> Result<(), Failure> {
+    let (right, bottom) = (x + px(CELL.0, across), y + px(CELL.1, along));
+    let line = |from: (i32, i32), to: (i32, i32)| {
+        area.draw(&PathElement::new(
+            [from, to],
+            BLACK.mix(0.25).stroke_width(1),
+        ))
+    };
+    (0..=across).try_for_each(|place| {
+        let x = x + px(CELL.0, place);
+        line((x, y), (x, bottom))
+    })?;
+    (0..=along).try_for_each(|place| {
+        let y = y + px(CELL.1, place);
+        line((x, y), (right, y))
+    })
+}
+
+/// The ramp in equal steps.
 fn colour(share: &Share) -> RGBColor {
-    if share.collided == 0 {
-        return WHITE;
-    }
     let step = (share.share() * RAMP.len() as f64).ceil() as usize;
     RAMP[step.clamp(1, RAMP.len()) - 1]
 }

@@ -142,7 +142,7 @@ impl Search {
                 .collect();
             let name = scenario.name.clone();
             let row = [name].into_iter().chain(required_cells(&counts));
-            rows.add_row(row.chain([self.confident(shares).range(self.highest())]));
+            rows.add_row(row.chain([self.confident(shares).range(&self.grid.rates)]));
         }
         rows.trim_fmt() + "\n"
     }
@@ -150,11 +150,6 @@ impl Search {
     /// What is known of a scenario from its shares.
     pub fn confident(&self, shares: &[Share]) -> Confident {
         Confident::of(shares, self.at_most)
-    }
-
-    /// [Hz] the highest rate that is tested.
-    pub fn highest(&self) -> u32 {
-        self.grid.rates.iter().copied().max().unwrap_or_default()
     }
 
     /// A line for each scenario where more frames are shown to be worse.
