@@ -126,10 +126,10 @@ pub enum Fault {
     #[error("a distribution is uniform(from,to) or normal(mean,deviation), got `{0}`")]
     Distribution(String),
     /// Something to draw, and not how many.
-    #[error("`{0}` is drawn, so --samples must say how often")]
+    #[error("`{0}` is drawn, so samples must say how often")]
     NoSamples(String),
     /// How many to draw, and nothing to draw.
-    #[error("nothing is drawn: --vary has no uniform(..) or normal(..)")]
+    #[error("nothing is drawn: no parameter varies as uniform or normal")]
     NothingDrawn,
     /// More parameters than a sequence has bases for.
     #[error("halton draws at most {most} parameters, got {got}")]
@@ -173,6 +173,18 @@ pub enum Fault {
         /// Why.
         why: zhuyi_report::sweep::table::InvalidTable,
     },
+    /// A flag that says what the plan says.
+    #[error("a plan says all that is driven: {0} cannot stand beside it")]
+    BesidePlan(&'static str),
+    /// Something else to drive beside a plan.
+    #[error("a plan says all that is driven: it stands alone")]
+    PlanAlone,
+    /// A plan where no sweep is made.
+    #[error("`{0}` is the plan of a sweep")]
+    IsPlan(String),
+    /// A program that was built without Parquet.
+    #[error("this zhuyi was built without Parquet")]
+    NoParquet,
     /// The name of a new scenario that cannot be one.
     #[error("a name is made of letters, digits, `_` and `-`, got `{0}`")]
     Name(String),
@@ -193,6 +205,11 @@ impl Fault {
     pub fn hint(&self) -> Option<&str> {
         match self {
             Self::Unknown { hint, .. } => Some(hint),
+            Self::NoParquet => {
+                Some("cargo install --locked --path crates/zhuyi-cli --features parquet")
+            }
+            Self::BesidePlan(_) => Some("write it into the plan"),
+            Self::IsPlan(_) => Some("zhuyi sweep and zhuyi check take it"),
             Self::ShardForm(_) => Some("the second of three is 2/3"),
             Self::Name(_) => Some("--output takes a path"),
             Self::Reversed { .. } => Some("the smaller number first"),

@@ -1,6 +1,6 @@
 //! Cameras as geometry: where each looks, and how often. What it makes of what it sees is perception's business.
 
-use crate::{Body, Footprint, Point, Pose};
+use crate::{Axes, Body, Footprint, Point, Pose};
 
 /// A camera of the rig: its place in the rig's list, from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -35,13 +35,18 @@ pub struct Camera {
 impl Camera {
     /// The camera's own pose in the world, given the ego's.
     pub fn pose(&self, ego: Pose) -> Pose {
+        self.pose_on(&Axes::new(ego))
+    }
+
+    /// The same, given the ego's axes.
+    pub fn pose_on(&self, ego: &Axes) -> Pose {
         let at = ego.offset(self.forward, self.left);
-        Pose::new(at.x, at.y, ego.heading + self.yaw)
+        Pose::new(at.x, at.y, ego.pose.heading + self.yaw)
     }
 
     /// Whether `point` lies in its field of view and range, for a camera at `pose` (from [`Camera::pose`]).
     pub fn covers(&self, pose: Pose, point: Point) -> bool {
-        Cone::new(self, pose).holds(point)
+        Sector::new(self, pose).holds(point)
     }
 
     /// Whether the centre or one of the four corners of `body` lies in the field of view and range (reading R14).
@@ -51,12 +56,7 @@ impl Camera {
 
     /// The same of a box at `pose`.
     pub fn covers_box(&self, ego: Pose, footprint: Footprint, pose: Pose) -> bool {
-        let cone = Cone::new(self, self.pose(ego));
-        cone.holds(pose.point())
-            || footprint
-                .corners(pose)
-                .into_iter()
-                .any(|corner| cone.holds(corner))
+        Sector::new(self, self.pose(ego)).holds_any(&footprint.landmarks(pose))
     }
 }
 
@@ -65,9 +65,12 @@ impl Camera {
 /// ```text
 /// |p| <= range,   p · axis >= |p| cos(fov/2)
 /// ```
-struct Cone {
+#[derive(Clone, Copy, Debug)]
+pub struct Sector {
     eye: Point,
-    /// Where it looks.
+    /// [rad] where it looks ...
+    heading: f64,
+    /// ... as a direction.
     axis: (f64, f64),
     /// [-] cos(fov/2).
     edge: f64,
@@ -75,19 +78,52 @@ struct Cone {
     range_squared: f64,
 }
 
-impl Cone {
-    fn new(camera: &Camera, pose: Pose) -> Self {
+impl Sector {
+    /// The sector of a camera at `pose` (from [`Camera::pose`]).
+    pub fn new(camera: &Camera, pose: Pose) -> Self {
         let (sin, cos) = pose.heading.sin_cos();
         Self {
             eye: pose.point(),
+            heading: pose.heading,
             axis: (cos, sin),
             edge: (camera.fov / 2.0).cos(),
             range_squared: camera.range * camera.range,
         }
     }
 
-    fn holds(&self, point: Point) -> bool {
-        let (x, y) = (point.x - self.eye.x, point.y - self.eye.y);
+    /// Moves it on to where the camera is now.
+    pub fn move_to(&mut self, pose: Pose) {
+        self.eye = pose.point();
+        if pose.heading != self.heading {
+            let (sin, cos) = pose.heading.sin_cos();
+            (self.heading, self.axis) = (pose.heading, (cos, sin));
+        }
+    }
+
+    /// Whether a point lies in it.
+    pub fn holds(&self, point: Point) -> bool {
+        self.holds_seen(self.seen(point))
+    }
+
+    /// Whether one of the [`Footprint::landmarks`] of a box does.
+    pub fn holds_any(&self, [centre, corners @ ..]: &[Point; 5]) -> bool {
+        let (x, y) = self.seen(*centre);
+        if self.holds_seen((x, y)) {
+            return true;
+        }
+        // All of a box that lies behind an eye with at most half a turn in view is out of view.
+        let corner = self.seen(corners[0]);
+        let reach = (corner.0 - x).abs() + (corner.1 - y).abs();
+        let behind = self.edge >= 0.0 && x * self.axis.0 + y * self.axis.1 < -reach;
+        !behind && corners.iter().any(|corner| self.holds(*corner))
+    }
+
+    /// A point as seen from the eye.
+    fn seen(&self, point: Point) -> (f64, f64) {
+        (point.x - self.eye.x, point.y - self.eye.y)
+    }
+
+    fn holds_seen(&self, (x, y): (f64, f64)) -> bool {
         let squared = x * x + y * y;
         squared <= self.range_squared
             && x * self.axis.0 + y * self.axis.1 >= squared.sqrt() * self.edge

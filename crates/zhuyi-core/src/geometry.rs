@@ -48,17 +48,46 @@ impl Pose {
     /// assert!((p.x - 0.5).abs() < 1e-12 && (p.y - 5.0).abs() < 1e-12);
     /// ```
     pub fn offset(self, forward: f64, left: f64) -> Point {
-        let (sin, cos) = self.heading.sin_cos();
-        Point::new(
-            self.x + forward * cos - left * sin,
-            self.y + forward * sin + left * cos,
-        )
+        Axes::new(self).offset(forward, left)
     }
 
     /// The point in this pose's own frame: (forward, left) in metres; the inverse of [`Pose::offset`].
     pub fn local(self, point: Point) -> (f64, f64) {
-        let (sin, cos) = self.heading.sin_cos();
-        let (dx, dy) = (point.x - self.x, point.y - self.y);
+        Axes::new(self).local(point)
+    }
+}
+
+/// A pose with the sine and cosine of its heading, for many points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Axes {
+    /// The pose.
+    pub pose: Pose,
+    /// [-] cosine of its heading.
+    pub cos: f64,
+    /// [-] sine of its heading.
+    pub sin: f64,
+}
+
+impl Axes {
+    /// The axes of a pose.
+    pub fn new(pose: Pose) -> Self {
+        let (sin, cos) = pose.heading.sin_cos();
+        Self { pose, cos, sin }
+    }
+
+    /// As [`Pose::offset`].
+    pub fn offset(&self, forward: f64, left: f64) -> Point {
+        let Self { pose, cos, sin } = self;
+        Point::new(
+            pose.x + forward * cos - left * sin,
+            pose.y + forward * sin + left * cos,
+        )
+    }
+
+    /// As [`Pose::local`].
+    pub fn local(&self, point: Point) -> (f64, f64) {
+        let Self { pose, cos, sin } = self;
+        let (dx, dy) = (point.x - pose.x, point.y - pose.y);
         (dx * cos + dy * sin, dy * cos - dx * sin)
     }
 }
@@ -76,12 +105,14 @@ impl Footprint {
     /// The four corners of the box at `pose`: front left, front right, rear right, rear left.
     pub fn corners(self, pose: Pose) -> [Point; 4] {
         let (l, w) = (self.length / 2.0, self.width / 2.0);
-        [
-            pose.offset(l, w),
-            pose.offset(l, -w),
-            pose.offset(-l, -w),
-            pose.offset(-l, w),
-        ]
+        let axes = Axes::new(pose);
+        [(l, w), (l, -w), (-l, -w), (-l, w)].map(|(ahead, left)| axes.offset(ahead, left))
+    }
+
+    /// The points of the box at `pose` by which a camera may cover it: its centre and its corners (reading R14).
+    pub fn landmarks(self, pose: Pose) -> [Point; 5] {
+        let [a, b, c, d] = self.corners(pose);
+        [pose.point(), a, b, c, d]
     }
 
     /// [m] radius of the circle around the box.

@@ -65,7 +65,7 @@ impl Idm {
     /// assert!((a + 16.0 / 81.0).abs() < 1e-12);
     /// ```
     pub fn accel(&self, v: f64, leader: Option<Leader>) -> f64 {
-        let free = 1.0 - (v / self.desired_speed).powf(self.exponent);
+        let free = 1.0 - self.share_of_desired(v).powf(self.exponent);
         let interaction = leader.map_or(0.0, |l| {
             (self.wanted_gap(v, l.speed) / l.gap.max(f64::MIN_POSITIVE)).powi(2)
         });
@@ -85,13 +85,23 @@ impl Idm {
     /// }
     /// ```
     pub fn improved_accel(&self, v: f64, leader: Option<Leader>) -> f64 {
+        let free = self.improved_free_accel(v);
+        leader.map_or(free, |leader| self.improved_accel_behind(v, leader, free))
+    }
+
+    /// [m/s2] the improved model with no leader.
+    pub fn improved_free_accel(&self, v: f64) -> f64 {
         let (a, b, v0) = (self.max_accel, self.comfortable_decel, self.desired_speed);
-        let free = if v <= v0 {
-            a * (1.0 - (v / v0).powf(self.exponent))
+        if v <= v0 {
+            a * (1.0 - self.share_of_desired(v).powf(self.exponent))
         } else {
             -b * (1.0 - (v0 / v).powf(a * self.exponent / b))
-        };
-        let Some(leader) = leader else { return free };
+        }
+    }
+
+    /// [m/s2] the improved model behind a leader, given its `free` acceleration at the same speed.
+    pub fn improved_accel_behind(&self, v: f64, leader: Leader, free: f64) -> f64 {
+        let (a, v0) = (self.max_accel, self.desired_speed);
         let z = self.wanted_gap(v, leader.speed) / leader.gap.max(f64::MIN_POSITIVE);
         match (v <= v0, z >= 1.0) {
             (true, true) => a * (1.0 - z * z),
@@ -99,6 +109,15 @@ impl Idm {
             (true, false) => free * (1.0 - z.powf(2.0 * a / free)),
             (false, true) => free + a * (1.0 - z * z),
             (false, false) => free,
+        }
+    }
+
+    /// [-] v/v0; a driver who wants to stand and stands has all that he wants.
+    fn share_of_desired(&self, v: f64) -> f64 {
+        if v == self.desired_speed {
+            1.0
+        } else {
+            v / self.desired_speed
         }
     }
 
@@ -117,5 +136,31 @@ impl Idm {
     /// ```
     pub fn plain_steady_gap(&self, v: f64) -> f64 {
         self.steady_gap(v) / (1.0 - (v / self.desired_speed).powf(self.exponent)).sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn regress_a_driver_who_wants_to_stand_stands() {
+        let driver = Idm {
+            desired_speed: 0.0,
+            time_headway: 1.5,
+            min_gap: 2.0,
+            max_accel: 1.0,
+            comfortable_decel: 2.0,
+            exponent: 4.0,
+        };
+        let far = Some(Leader {
+            gap: 50.0,
+            speed: 10.0,
+        });
+        for leader in [None, far] {
+            assert_eq!(driver.improved_accel(0.0, leader), 0.0);
+        }
+        assert_eq!(driver.accel(0.0, None), 0.0);
+        assert_eq!(driver.improved_accel(5.0, None), -2.0);
     }
 }

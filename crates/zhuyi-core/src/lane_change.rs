@@ -69,6 +69,13 @@ impl LaneChange {
     /// assert_eq!((half.d, half.rate, half.accel), (1.75, 3.28125, 0.0));
     /// ```
     pub fn at(&self, time: f64) -> Lateral {
+        if self.from == self.to {
+            return Lateral {
+                d: self.to,
+                rate: 0.0,
+                accel: 0.0,
+            };
+        }
         let x = ((time - self.start) / self.duration).clamp(0.0, 1.0);
         let way = self.to - self.from;
         Lateral {

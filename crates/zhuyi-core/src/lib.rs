@@ -23,11 +23,11 @@ pub mod scene;
 pub mod time;
 pub mod track;
 
-pub use camera::{Camera, CameraId, FrameRates};
+pub use camera::{Camera, CameraId, FrameRates, Sector};
 pub use command::{Command, Manoeuvre};
 pub use forecast::{Across, Along, Forecast, Trajectory};
 pub use frame::{Detection, Frame};
-pub use geometry::{Footprint, Point, Pose};
+pub use geometry::{Axes, Footprint, Point, Pose};
 pub use lane_change::{LaneChange, Lateral};
 pub use road::{Frenet, Lane, Road, RoadError, Segment};
 pub use scene::{ActorId, Body, Scene};

@@ -80,17 +80,17 @@ impl Estimator {
         self.demands_where(
             rig,
             actors,
-            |camera, _, body| camera.covers_body(ego, body),
+            |place, _, body| rig[place].camera.covers_body(ego, body),
             estimate,
         )
     }
 
-    /// The same, where `counts` says which actors count for which camera.
+    /// The same, where `counts` says which actors count for the camera at a place in the rig.
     pub fn demands_where<'a>(
         &self,
         rig: &[Watch<'_>],
         actors: impl IntoIterator<Item = (ActorId, &'a Body)>,
-        counts: impl Fn(&Camera, ActorId, &Body) -> bool,
+        counts: impl Fn(usize, ActorId, &Body) -> bool,
         estimate: impl FnMut(ActorId, f64) -> Estimate,
     ) -> Vec<Demand> {
         let mut demands = vec![self.quiet(); rig.len()];
@@ -103,15 +103,15 @@ impl Estimator {
         &self,
         rig: &[Watch<'_>],
         actors: impl IntoIterator<Item = (ActorId, &'a Body)>,
-        counts: impl Fn(&Camera, ActorId, &Body) -> bool,
+        counts: impl Fn(usize, ActorId, &Body) -> bool,
         mut estimate: impl FnMut(ActorId, f64) -> Estimate,
         demands: &mut [Demand],
     ) {
         demands.fill(self.quiet());
         for (actor, body) in actors {
             let mut answers = Answers::default();
-            for (watch, demand) in rig.iter().zip(&mut *demands) {
-                if counts(watch.camera, actor, body) {
+            for (place, (watch, demand)) in rig.iter().zip(&mut *demands).enumerate() {
+                if counts(place, actor, body) {
                     let answer = answers.of(watch.current_latency, |l_0| estimate(actor, l_0));
                     self.add(demand, Some(actor), &answer);
                 }

@@ -100,6 +100,10 @@ impl Rows {
             }
             Err(source) => return Err(CommittedError::Read { path, source }),
         };
+        Self::parse(path, &text, command)
+    }
+
+    fn parse(path: PathBuf, text: &str, command: &'static str) -> Result<Self, CommittedError> {
         let mut reader = csv::Reader::from_reader(text.as_bytes());
         let read = |reader: &mut csv::Reader<&[u8]>| -> csv::Result<_> {
             let header = reader.headers()?.clone();
@@ -156,7 +160,10 @@ impl Rows {
 /// # Errors
 /// When it is missing, cannot be read, or is something else.
 pub fn table(dir: &Path) -> Result<Vec<TableRow>, CommittedError> {
-    let file = Rows::read(dir, "table1.csv", "zhuyi reproduce")?;
+    table_of(&Rows::read(dir, "table1.csv", "zhuyi reproduce")?)
+}
+
+fn table_of(file: &Rows) -> Result<Vec<TableRow>, CommittedError> {
     let names = ["scenario", "quantity", "solver", "ours", "paper"];
     let mut places = [0; 5];
     for (place, name) in places.iter_mut().zip(names) {
@@ -180,7 +187,14 @@ pub fn table(dir: &Path) -> Result<Vec<TableRow>, CommittedError> {
 /// # Errors
 /// When it is missing, cannot be read, or is something else.
 pub fn spent(dir: &Path) -> Result<Vec<Spent>, CommittedError> {
-    let file = Rows::read(dir, "allocation.csv", "zhuyi allocate --out results")?;
+    spent_of(&Rows::read(
+        dir,
+        "allocation.csv",
+        "zhuyi allocate --out results",
+    )?)
+}
+
+fn spent_of(file: &Rows) -> Result<Vec<Spent>, CommittedError> {
     let [scenario, policy] = [file.column("scenario")?, file.column("policy")?];
     let budget = file.column("budget_fps")?;
     let [drives, collisions] = [file.column("drives")?, file.column("collisions")?];
@@ -202,7 +216,10 @@ pub fn spent(dir: &Path) -> Result<Vec<Spent>, CommittedError> {
 /// When it is missing, cannot be read, or is something else.
 pub fn slowest(dir: &Path) -> Result<Vec<Slowest>, CommittedError> {
     let command = "zhuyi mrf --per-camera --out results";
-    let file = Rows::read(dir, "mrf_per_camera.csv", command)?;
+    slowest_of(&Rows::read(dir, "mrf_per_camera.csv", command)?)
+}
+
+fn slowest_of(file: &Rows) -> Result<Vec<Slowest>, CommittedError> {
     let [scenario, method] = [file.column("scenario")?, file.column("method")?];
     let [quantity, value] = [file.column("quantity")?, file.column("value")?];
     let columns = file.header.iter().enumerate();
@@ -230,6 +247,32 @@ pub fn slowest(dir: &Path) -> Result<Vec<Slowest>, CommittedError> {
         }
     }
     Ok(all)
+}
+
+/// What a text is, read as each of the three files.
+#[derive(Debug)]
+pub struct Content {
+    /// As table1.csv.
+    pub table: Result<Vec<TableRow>, CommittedError>,
+    /// As allocation.csv.
+    pub spent: Result<Vec<Spent>, CommittedError>,
+    /// As mrf_per_camera.csv.
+    pub slowest: Result<Vec<Slowest>, CommittedError>,
+}
+
+impl Content {
+    /// Of a text, without a file.
+    ///
+    /// # Errors
+    /// When it is no CSV.
+    pub fn of(text: &str) -> Result<Self, CommittedError> {
+        let file = Rows::parse(PathBuf::from("text"), text, "zhuyi")?;
+        Ok(Self {
+            table: table_of(&file),
+            spent: spent_of(&file),
+            slowest: slowest_of(&file),
+        })
+    }
 }
 
 #[cfg(test)]

@@ -81,15 +81,7 @@ pub fn diff(a: &Path, b: &Path) -> Result<Changes, LabError> {
     for name in names {
         let (one, two) = (read(&a.join(&name))?, read(&b.join(&name))?);
         match (one, two) {
-            (Some(one), Some(two)) if one == two => {}
-            (Some(one), Some(two)) => match name.as_str() {
-                "runs.csv" => changes.compare_runs(&one, &two),
-                "claims.md" => changes.compare_claims(&one, &two),
-                _ => changes.files.push(format!(
-                    "{name} differs from line {} on",
-                    first_line(&one, &two)
-                )),
-            },
+            (Some(one), Some(two)) => changes.compare(&name, &one, &two),
             (one, _) => {
                 let which = if one.is_some() { a } else { b };
                 let told = format!("{name} is only in {}", which.display());
@@ -196,6 +188,19 @@ impl Runs {
 }
 
 impl Changes {
+    /// Adds what changed in the file of this name from one text to the other.
+    pub fn compare(&mut self, name: &str, one: &str, two: &str) {
+        match name {
+            _ if one == two => {}
+            "runs.csv" => self.compare_runs(one, two),
+            "claims.md" => self.compare_claims(one, two),
+            _ => self.files.push(format!(
+                "{name} differs from line {} on",
+                first_line(one, two)
+            )),
+        }
+    }
+
     fn compare_runs(&mut self, one: &str, two: &str) {
         let (Some(one), Some(two)) = (Runs::read(one), Runs::read(two)) else {
             self.files.push("runs.csv is no table of runs".to_string());

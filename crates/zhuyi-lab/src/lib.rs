@@ -31,6 +31,7 @@ pub mod boundary;
 pub mod calibration {}
 pub mod choice;
 pub mod claims;
+pub mod columns;
 pub mod committed;
 pub mod compare;
 pub mod course;
@@ -51,6 +52,7 @@ pub mod reruns;
 pub mod results;
 pub mod robustness;
 pub mod runs;
+pub mod schema;
 pub mod sensitivity;
 pub mod shares;
 pub mod statistics;

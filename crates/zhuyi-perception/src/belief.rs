@@ -57,23 +57,39 @@ impl Belief {
 
     /// The actor as believed to be at `time`; as last seen, where that is later.
     pub fn track(&self, actor: ActorId, time: SimTime, params: &Perception) -> Track {
-        let (along, across) = self.predict(time, params);
         let elapsed = self.elapsed(time);
+        let [_, s_rate, s_accel] = carry_forward(self.along.mean.into(), elapsed);
         Track {
             actor,
             time: time.max(self.seen),
             seen: self.seen,
             footprint: self.footprint,
-            road: Frenet {
-                s: along.mean[0],
-                d: self.across.mean[0] + self.across.mean[1] * elapsed,
-            },
-            s_rate: along.mean[1],
-            s_accel: along.mean[2],
-            d_rate: self.across.mean[1],
-            s_deviation: along.deviation(),
-            d_deviation: across.deviation(),
+            road: self.place(time),
+            s_rate,
+            s_accel,
+            d_rate: self.across.mean.y,
+            s_deviation: self
+                .along
+                .deviation_after(elapsed, params.jerk_density_along),
+            d_deviation: self
+                .across
+                .deviation_after(elapsed, params.jerk_density_across),
         }
+    }
+
+    /// The place of its centre then.
+    pub fn place(&self, time: SimTime) -> Frenet {
+        let elapsed = self.elapsed(time);
+        let [s, _, _] = carry_forward(self.along.mean.into(), elapsed);
+        Frenet {
+            s,
+            d: self.across.mean.x + self.across.mean.y * elapsed,
+        }
+    }
+
+    /// Its box, as last seen.
+    pub fn footprint(&self) -> Footprint {
+        self.footprint
     }
 
     fn predict(&self, time: SimTime, params: &Perception) -> (Axis, Axis) {

@@ -24,6 +24,7 @@ pub struct Clock {
     anchor: SimTime,
     count: u64,
     last: SimTime,
+    next: SimTime,
 }
 
 impl Clock {
@@ -47,6 +48,7 @@ impl Clock {
             anchor,
             count: 0,
             last: anchor - period(hz),
+            next: anchor,
         }
     }
 
@@ -71,13 +73,15 @@ impl Clock {
 
     /// The next exposure.
     pub fn next(&self) -> SimTime {
-        self.anchor + SimTime::from_nanos((self.count as f64 * 1e9 / self.hz).round() as i64)
+        self.next
     }
 
     /// Takes the next exposure and returns its instant.
     pub fn tick(&mut self) -> SimTime {
-        self.last = self.next();
+        self.last = self.next;
         self.count += 1;
+        let since_anchor = (self.count as f64 * 1e9 / self.hz).round() as i64;
+        self.next = self.anchor + SimTime::from_nanos(since_anchor);
         self.last
     }
 
@@ -90,6 +94,7 @@ impl Clock {
             self.anchor = now.max(self.last + period(hz));
             self.count = 0;
             self.hz = hz;
+            self.next = self.anchor;
         }
     }
 }

@@ -29,8 +29,11 @@ use rand_chacha::ChaCha8Rng;
 use zhuyi_core::{ActorId, CameraId, Detection, Frame, FrameRates, Scene, SimTime};
 
 use crate::sight::View;
-use crate::stream::{Luck, Purpose};
-use crate::{Clock, Perception};
+use crate::stream::{Fortune, Purpose};
+use crate::{Clock, Eye, Perception};
+
+/// Frames in flight of each camera for which there is room from the start.
+const ROOM: usize = 8;
 
 /// The cameras of the ego, with their frames in flight.
 #[derive(Clone, Debug)]
@@ -39,14 +42,17 @@ pub struct Eyes {
     shutters: Vec<Shutter>,
     in_flight: Vec<Frame>,
     scene: Scene,
-    view: View,
+    /// Lists of frames that were delivered, for the next ones.
+    spare: Vec<Vec<Detection>>,
 }
 
 /// One camera's timing, luck and counts.
 #[derive(Clone, Debug)]
 struct Shutter {
     clock: Clock,
-    streams: Vec<ChaCha8Rng>,
+    view: View,
+    /// With each actor.
+    fortunes: Vec<Fortune>,
     /// By how much its frames take longer; none where they never do.
     lateness: Option<ChaCha8Rng>,
     /// Which of its pictures are lost; none where none is.
@@ -84,8 +90,9 @@ impl Eyes {
                 clock: Clock::new(rates.of(camera), phase),
                 lateness: where_on(params.latency_jitter > 0.0, Purpose::Latency(camera)),
                 loss: where_on(params.drop_rate > 0.0, Purpose::Loss(camera)),
-                streams: actors
-                    .map(|actor| draws(Purpose::Detection(camera, actor)))
+                view: View::with_room(start.actors.len()),
+                fortunes: actors
+                    .map(|actor| Fortune::new(draws(Purpose::Detection(camera, actor))))
                     .collect(),
                 newest: None,
                 exposed: 0,
@@ -97,9 +104,9 @@ impl Eyes {
         Self {
             shutters: shutters.collect(),
             params: params.clone(),
-            in_flight: Vec::new(),
+            in_flight: Vec::with_capacity(ROOM * params.eyes.len()),
             scene: start.clone(),
-            view: View::default(),
+            spare: Vec::with_capacity(ROOM * params.eyes.len()),
         }
     }
 
@@ -115,22 +122,15 @@ impl Eyes {
     /// What every camera sees in `scene` at once, without delay and without misses: with it the tracker starts
     /// (reading R16). Comes before the first exposure, takes the first draw of each stream and is not counted.
     pub fn glance(&mut self, scene: &Scene) -> Vec<Frame> {
-        (0..self.shutters.len())
-            .map(|index| Frame {
-                camera: CameraId(index as u8),
-                exposed: scene.time,
-                ready: scene.time,
-                detections: detect(
-                    &self.params,
-                    index,
-                    &mut self.shutters[index].streams,
-                    scene,
-                    &mut self.view,
-                    0.0,
-                ),
-                ego: scene.ego.pose,
-            })
-            .collect()
+        let shutters = self.shutters.iter_mut().zip(&self.params.eyes);
+        let frame = |(index, (shutter, eye)): (u8, (&mut Shutter, &Eye))| Frame {
+            camera: CameraId(index),
+            exposed: scene.time,
+            ready: scene.time,
+            detections: shutter.detections(eye, &self.params, 0.0, scene, Vec::new()),
+            ego: scene.ego.pose,
+        };
+        (0..).zip(shutters).map(frame).collect()
     }
 
     /// Changes a camera's rate at `now`. Its next exposure is `max(now, last + 1/hz)`; frames in flight keep their
@@ -159,33 +159,30 @@ impl Eyes {
     /// as it truly is at the instant it is given. That instant is never earlier than the one exposed up to before.
     pub fn expose(&mut self, to: SimTime, mut evaluate: impl FnMut(SimTime, &mut Scene)) {
         while let Some(index) = self.due(to) {
-            let shutter = &mut self.shutters[index];
-            let latency = self.params.eyes[index]
+            let (shutter, eye) = (&mut self.shutters[index], &self.params.eyes[index]);
+            let latency = eye
                 .latency
                 .map_or(shutter.clock.period(), SimTime::from_seconds)
                 + shutter.late(self.params.latency_jitter);
             let exposed = shutter.clock.tick();
             shutter.exposed += 1;
             evaluate(exposed, &mut self.scene);
-            let miss_rate = self.params.miss_rate;
+            let (scene, miss_rate) = (&self.scene, self.params.miss_rate);
+            let list = self.spare.pop();
+            let list = list.unwrap_or_else(|| Vec::with_capacity(scene.actors.len()));
             // A picture that is lost uses up its luck with the actors, as if it were not.
-            let frame = Frame {
+            let detections = shutter.detections(eye, &self.params, miss_rate, scene, list);
+            if shutter.loses(self.params.drop_rate) {
+                self.spare.push(detections);
+                continue;
+            }
+            self.in_flight.push(Frame {
                 camera: CameraId(index as u8),
                 exposed,
                 ready: exposed + latency,
-                detections: detect(
-                    &self.params,
-                    index,
-                    &mut shutter.streams,
-                    &self.scene,
-                    &mut self.view,
-                    miss_rate,
-                ),
-                ego: self.scene.ego.pose,
-            };
-            if !shutter.loses(self.params.drop_rate) {
-                self.in_flight.push(frame);
-            }
+                detections,
+                ego: scene.ego.pose,
+            });
         }
     }
 
@@ -229,7 +226,13 @@ impl Eyes {
                 return Some(frame);
             }
             shutter.dropped += 1;
+            self.reuse(frame);
         }
+    }
+
+    /// Takes back a frame that is done with: a later one needs no new list.
+    pub fn reuse(&mut self, frame: Frame) {
+        self.spare.push(frame.detections);
     }
 
     /// Pictures that have been taken and are not ready, in no order.
@@ -274,35 +277,40 @@ impl Shutter {
         self.lost += u64::from(lost);
         lost
     }
-}
 
-/// What a camera of the rig finds in a scene.
-fn detect(
-    params: &Perception,
-    camera: usize,
-    streams: &mut [ChaCha8Rng],
-    scene: &Scene,
-    view: &mut View,
-    miss_rate: f64,
-) -> Vec<Detection> {
-    view.look(&params.eyes[camera].camera, scene);
-    let mut detections = Vec::new();
-    for (index, (body, stream)) in scene.actors.iter().zip(streams).enumerate() {
-        let luck = Luck::draw(stream);
-        if luck.miss < miss_rate || !view.sees(index, params.visible_share) {
-            continue;
+    /// What the camera finds in a scene, into an old `list`.
+    fn detections(
+        &mut self,
+        eye: &Eye,
+        params: &Perception,
+        miss_rate: f64,
+        scene: &Scene,
+        list: Vec<Detection>,
+    ) -> Vec<Detection> {
+        self.view.look(&eye.camera, scene);
+        let mut detections = list;
+        detections.clear();
+        for (index, (body, fortune)) in scene.actors.iter().zip(&mut self.fortunes).enumerate() {
+            if !self.view.sees(index, params.visible_share) {
+                fortune.pass();
+                continue;
+            }
+            let luck = fortune.draw();
+            if luck.miss < miss_rate {
+                continue;
+            }
+            let [z1, z2, z3, z4] = luck.normals();
+            let mut road = body.road;
+            road.s += params.noise_along * z1;
+            road.d += params.noise_across * z2;
+            detections.push(Detection {
+                actor: ActorId(index as u32),
+                road,
+                s_rate: body.s_rate + params.noise_speed * z3,
+                d_rate: body.d_rate + params.noise_speed * z4,
+                footprint: body.footprint,
+            });
         }
-        let [z1, z2, z3, z4] = luck.normals();
-        let mut road = body.road;
-        road.s += params.noise_along * z1;
-        road.d += params.noise_across * z2;
-        detections.push(Detection {
-            actor: ActorId(index as u32),
-            road,
-            s_rate: body.s_rate + params.noise_speed * z3,
-            d_rate: body.d_rate + params.noise_speed * z4,
-            footprint: body.footprint,
-        });
+        detections
     }
-    detections
 }

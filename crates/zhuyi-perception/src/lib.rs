@@ -25,6 +25,7 @@ pub mod clock;
 pub mod eyes;
 pub mod params;
 pub mod sight;
+mod silhouette;
 pub mod stream;
 pub mod tracker;
 

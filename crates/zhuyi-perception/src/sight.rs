@@ -19,7 +19,9 @@
 
 use std::f64::consts::{PI, TAU};
 use zhuyi_core::geometry::wrap_angle;
-use zhuyi_core::{ActorId, Camera, Footprint, Pose, Scene};
+use zhuyi_core::{ActorId, Axes, Camera, Footprint, Pose, Scene};
+
+use crate::silhouette::{self, Field, Silhouette};
 
 /// [-] the share of an actor that a camera sees of it, in range or not.
 pub fn visible_share(camera: &Camera, scene: &Scene, actor: ActorId) -> f64 {
@@ -31,13 +33,32 @@ pub fn visible_share(camera: &Camera, scene: &Scene, actor: ActorId) -> f64 {
 /// What lies before a camera. Kept and looked through again, it allocates nothing.
 #[derive(Clone, Debug, Default)]
 pub struct View {
+    eye: Pose,
     fov: f64,
+    /// Sine and cosine of half of it.
+    half_fov: (f64, f64),
     range: f64,
-    outlines: Vec<Outline>,
+    field: Field,
+    boxes: Vec<(Footprint, Pose)>,
+    silhouettes: Vec<Silhouette>,
+    /// Of the boxes that have been asked for.
+    outlines: Vec<Option<Outline>>,
     shadows: Vec<(f64, f64)>,
 }
 
 impl View {
+    /// A view with room for so many boxes.
+    pub(crate) fn with_room(boxes: usize) -> Self {
+        Self {
+            boxes: Vec::with_capacity(boxes),
+            silhouettes: Vec::with_capacity(boxes),
+            outlines: Vec::with_capacity(boxes),
+            // Up to three of every other box, and three of the edge of the field.
+            shadows: Vec::with_capacity(3 * boxes),
+            ..Self::default()
+        }
+    }
+
     /// Looks through `camera` at the actors of `scene`, which keep their places.
     pub fn look(&mut self, camera: &Camera, scene: &Scene) {
         let boxes = scene.actors.iter().map(|body| (body.footprint, body.pose));
@@ -51,21 +72,42 @@ impl View {
         ego: Pose,
         boxes: impl IntoIterator<Item = (Footprint, Pose)>,
     ) {
-        let eye = camera.pose(ego);
-        self.fov = camera.fov;
+        self.aim(camera, ego);
+        self.find(boxes);
+    }
+
+    /// Aims `camera` of an ego at `ego`, at no boxes yet.
+    pub(crate) fn aim(&mut self, camera: &Camera, ego: Pose) {
+        if self.fov != camera.fov {
+            self.fov = camera.fov;
+            self.half_fov = (camera.fov / 2.0).sin_cos();
+        }
+        self.eye = camera.pose(ego);
         self.range = camera.range;
+        self.field = Field::new(&Axes::new(self.eye), self.half_fov);
+    }
+
+    /// Puts these boxes, in their places, where it has been aimed.
+    pub(crate) fn find(&mut self, boxes: impl IntoIterator<Item = (Footprint, Pose)>) {
+        self.boxes.clear();
+        self.boxes.extend(boxes);
+        let field = self.field;
+        let silhouette = |&(footprint, pose): &_| field.silhouette(footprint, pose);
+        self.silhouettes.clear();
+        self.silhouettes.extend(self.boxes.iter().map(silhouette));
         self.outlines.clear();
-        self.outlines.extend(
-            boxes
-                .into_iter()
-                .map(|(footprint, pose)| Outline::new(eye, footprint, pose)),
-        );
+        self.outlines.resize(self.boxes.len(), None);
     }
 
     /// Whether the box at this place is in range and at least `least_share` of it is visible; with a least share of 0,
     /// whether it is in range and view, hidden or not.
     pub fn sees(&mut self, which: usize, least_share: f64) -> bool {
-        let body = self.outlines[which];
+        silhouette::sees(&self.silhouettes, which, self.range, least_share)
+            .unwrap_or_else(|| self.sees_by_angles(which, least_share))
+    }
+
+    fn sees_by_angles(&mut self, which: usize, least_share: f64) -> bool {
+        let body = self.outline(which);
         if body.distance > self.range {
             return false;
         }
@@ -76,9 +118,14 @@ impl View {
         }
     }
 
+    fn outline(&mut self, which: usize) -> Outline {
+        let (footprint, pose) = self.boxes[which];
+        *self.outlines[which].get_or_insert_with(|| Outline::new(self.eye, footprint, pose))
+    }
+
     /// [-] the visible share of the box at this place, in range or not.
     pub fn share(&mut self, which: usize) -> f64 {
-        let body = self.outlines[which];
+        let body = self.outline(which);
         let width = body.left - body.right;
         let half_fov = self.fov / 2.0;
         self.shadows.clear();
@@ -87,15 +134,17 @@ impl View {
         if self.shadows.iter().any(|(from, to)| to - from >= width) {
             return 0.0; // out of view: who else is there does not matter
         }
-        for (index, other) in self.outlines.iter().enumerate() {
-            if index != which {
-                let offset = other.bearing - body.bearing;
-                let overlaps = body.overlaps((offset + other.right, offset + other.left));
-                self.shadows.extend(overlaps.filter(|&(from, to)| {
-                    let ray = body.bearing + f64::midpoint(from, to);
-                    other.entry(ray) < body.entry(ray)
-                }));
+        for index in 0..self.boxes.len() {
+            if index == which || self.silhouettes[index].spares(&self.silhouettes[which]) {
+                continue;
             }
+            let other = self.outline(index);
+            let offset = other.bearing - body.bearing;
+            let overlaps = body.overlaps((offset + other.right, offset + other.left));
+            self.shadows.extend(overlaps.filter(|&(from, to)| {
+                let ray = body.bearing + f64::midpoint(from, to);
+                other.entry(ray) < body.entry(ray)
+            }));
         }
         (width - covered(&mut self.shadows)) / width.min(self.fov)
     }
@@ -194,4 +243,72 @@ fn covered(intervals: &mut [(f64, f64)]) -> f64 {
         }
     }
     total
+}
+
+#[cfg(test)]
+mod tests {
+    use super::View;
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+    use zhuyi_core::{Camera, Footprint, Pose};
+
+    #[test]
+    fn law_what_is_plain_at_a_look_is_what_the_angles_say() {
+        let mut rng = ChaCha8Rng::seed_from_u64(17);
+        let mut view = View::default();
+        let (mut plain, mut open) = ([0_u32; 2], 0_u32);
+        for case in 0..60_000 {
+            let camera = Camera {
+                name: String::new(),
+                forward: rng.random_range(-2.0..2.0),
+                left: rng.random_range(-1.0..1.0),
+                yaw: rng.random_range(-4.0..4.0),
+                fov: rng.random_range(0.1..4.0),
+                range: rng.random_range(5.0..200.0),
+                analysed: true,
+            };
+            let mut place = |spread: f64, turn: f64| {
+                Pose::new(
+                    rng.random_range(-spread..spread),
+                    rng.random_range(-8.0..8.0),
+                    rng.random_range(-turn..turn),
+                )
+            };
+            let ego = place(2.0, 3.2);
+            // Half of the scenes stand in lanes, so that boxes share edges and hide one another exactly.
+            let boxes: Vec<_> = (0..5)
+                .map(|_| {
+                    let mut pose = place(90.0, 0.3);
+                    if case % 2 == 0 {
+                        (pose.x, pose.y, pose.heading) = (
+                            pose.x.round(),
+                            3.5 * (pose.y / 3.5).round(),
+                            if case % 4 == 0 { 0.0 } else { ego.heading },
+                        );
+                    }
+                    let (length, width) = (4.5, 1.8);
+                    (Footprint { length, width }, pose)
+                })
+                .collect();
+            view.look_at_boxes(&camera, ego, boxes);
+            for which in 0..5 {
+                for least in [0.0, 0.3, 0.5, 1.0 - 1e-9, 1.0] {
+                    let quick =
+                        crate::silhouette::sees(&view.silhouettes, which, view.range, least);
+                    let exact = view.sees_by_angles(which, least);
+                    match quick {
+                        Some(seen) => plain[usize::from(seen)] += 1,
+                        None => open += 1,
+                    }
+                    assert!(
+                        quick.is_none_or(|seen| seen == exact),
+                        "case {case}, box {which}, least {least}: {quick:?} {camera:?} {ego:?} {:?}",
+                        view.boxes
+                    );
+                }
+            }
+        }
+        assert!(plain[0] > 100_000 && plain[1] > 100_000, "{plain:?}");
+        assert!(open > 10_000 && open < 600_000, "{open}");
+    }
 }

@@ -12,6 +12,7 @@
 //! finite.
 
 use rand::{Rng, RngExt};
+use rand_chacha::ChaCha8Rng;
 use std::f64::consts::TAU;
 use zhuyi_core::{ActorId, CameraId};
 
@@ -44,11 +45,48 @@ impl Luck {
         }
     }
 
+    /// Words of 32 bits that a draw takes from its generator.
+    const WORDS: u128 = 10;
+
     /// Four independent standard normal numbers.
     pub fn normals(&self) -> [f64; 4] {
         let [a, b, c, d] = self.uniform;
         let ((z1, z2), (z3, z4)) = (normal_pair(a, b), normal_pair(c, d));
         [z1, z2, z3, z4]
+    }
+}
+
+/// The luck of one camera with one actor, frame after frame.
+#[derive(Clone, Debug)]
+pub(crate) struct Fortune {
+    stream: ChaCha8Rng,
+    /// Frames passed over since the last draw, whose luck nobody asked for.
+    passed: u32,
+}
+
+impl Fortune {
+    pub fn new(stream: ChaCha8Rng) -> Self {
+        Self { stream, passed: 0 }
+    }
+
+    /// Passes over the luck of a frame.
+    pub fn pass(&mut self) {
+        self.passed += 1;
+    }
+
+    /// The luck of the next frame.
+    pub fn draw(&mut self) -> Luck {
+        // To jump makes the generator compute a block anew, which is as dear as some draws.
+        if self.passed > 5 {
+            let position = self.stream.get_word_pos() + u128::from(self.passed) * Luck::WORDS;
+            self.stream.set_word_pos(position);
+        } else {
+            for _ in 0..self.passed {
+                Luck::draw(&mut self.stream);
+            }
+        }
+        self.passed = 0;
+        Luck::draw(&mut self.stream)
     }
 }
 
@@ -68,7 +106,21 @@ pub fn normal_pair(u1: f64, u2: f64) -> (f64, f64) {
 mod tests {
     use super::*;
     use rand::SeedableRng;
-    use rand_chacha::ChaCha8Rng;
+
+    #[test]
+    fn law_luck_that_is_passed_over_moves_none_that_comes_after() {
+        let mut each = ChaCha8Rng::seed_from_u64(3);
+        let mut asked = Fortune::new(each.clone());
+        for frame in 0..2000_u32 {
+            let luck = Luck::draw(&mut each);
+            // Runs of frames nobody asks for, of lengths 0 to 40.
+            if frame % 41 < frame / 41 {
+                asked.pass();
+            } else {
+                assert_eq!(asked.draw(), luck, "frame {frame}");
+            }
+        }
+    }
 
     #[test]
     fn law_draws_are_standard_normal_and_independent() {

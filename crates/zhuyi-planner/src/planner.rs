@@ -18,6 +18,8 @@ pub struct Planner<'a> {
     driver: Idm,
     path: LaneChange,
     hard: Latch,
+    /// Places of the tracks that are in the way of the path.
+    in_the_way: Vec<usize>,
 }
 
 impl<'a> Planner<'a> {
@@ -31,6 +33,7 @@ impl<'a> Planner<'a> {
             driver: params.driver(desired_speed),
             path,
             hard: Latch::default(),
+            in_the_way: Vec::with_capacity(16),
         }
     }
 
@@ -51,17 +54,17 @@ impl<'a> Planner<'a> {
         forecasts: &[Forecast],
     ) -> Command {
         let time = now.seconds();
+        self.look(ego, tracks, forecasts, time);
         if let Some(change) = self.evasion(ego, tracks, forecasts, time) {
             self.path = change;
+            self.look(ego, tracks, forecasts, time);
         }
-        let required = self
-            .hardest(ego, tracks, forecasts, time, self.params.standstill_gap)
-            .0;
+        let required = self.hardest(ego, tracks, self.params.standstill_gap).0;
         let evading = self.evading(time);
         let hard = self
             .hard
             .update(required, self.params.brake_above, self.params.release_below);
-        let follow = self.follow(ego, tracks, forecasts, time);
+        let follow = self.follow(ego, tracks);
         let brake = if hard {
             -required.min(self.params.max_decel)
         } else {
@@ -91,21 +94,22 @@ impl<'a> Planner<'a> {
         self.path.from != self.path.to && time < self.path.end()
     }
 
-    /// Whether `track` is in the way of the path that the planner is on.
-    fn in_the_way(&self, track: &Track, forecast: &Forecast, ego: &Body, time: f64) -> bool {
-        let reach = reach(track, ego, self.params.lateral_margin);
-        if self.evading(time) {
-            blocks_path(track, forecast, ego, &self.path, time, reach)
-        } else {
-            blocks(
-                track,
-                forecast,
-                ego,
-                self.path.to,
-                reach,
-                self.params.anticipation,
-            )
-        }
+    /// Finds the tracks that are in the way of the path that the planner is on.
+    fn look(&mut self, ego: &Body, tracks: &[Track], forecasts: &[Forecast], time: f64) {
+        let (evading, params) = (self.evading(time), self.params);
+        let is_in_the_way = |track: &Track, forecast: &Forecast| {
+            let reach = reach(track, ego, params.lateral_margin);
+            if evading {
+                blocks_path(track, forecast, ego, &self.path, time, reach)
+            } else {
+                let (keeps, soon) = (self.path.to, params.anticipation);
+                blocks(track, forecast, ego, keeps, reach, soon)
+            }
+        };
+        let tracks = tracks.iter().zip(forecasts).enumerate();
+        let found = tracks.filter(|(_, (track, forecast))| is_in_the_way(track, forecast));
+        self.in_the_way.clear();
+        self.in_the_way.extend(found.map(|(place, _)| place));
     }
 
     /// The evasive lane change, when the contact would take more braking than the planner trusts and a lane is free.
@@ -116,7 +120,7 @@ impl<'a> Planner<'a> {
         forecasts: &[Forecast],
         time: f64,
     ) -> Option<LaneChange> {
-        let (required, threat) = self.hardest(ego, tracks, forecasts, time, 0.0);
+        let (required, threat) = self.hardest(ego, tracks, 0.0);
         if required <= self.params.evade_above || self.evading(time) {
             return None;
         }
@@ -136,35 +140,30 @@ impl<'a> Planner<'a> {
         &self,
         ego: &Body,
         tracks: &'t [Track],
-        forecasts: &[Forecast],
-        time: f64,
         clearance: f64,
     ) -> (f64, Option<&'t Track>) {
         let mut hardest = (0.0, None);
-        for (track, forecast) in tracks.iter().zip(forecasts) {
-            if self.in_the_way(track, forecast, ego, time) {
-                let required = required_by(track, ego, clearance);
-                if required > hardest.0 {
-                    hardest = (required, Some(track));
-                }
+        for track in self.in_the_way.iter().map(|place| &tracks[*place]) {
+            let required = required_by(track, ego, clearance);
+            if required > hardest.0 {
+                hardest = (required, Some(track));
             }
         }
         hardest
     }
 
     /// [m/s2] car following: the least acceleration over everything in the way, no harder than comfort allows.
-    fn follow(&self, ego: &Body, tracks: &[Track], forecasts: &[Forecast], time: f64) -> f64 {
-        let mut least = self.driver.improved_accel(ego.s_rate, None);
-        for (track, forecast) in tracks.iter().zip(forecasts) {
-            if self.in_the_way(track, forecast, ego, time) {
-                let leader = Leader {
-                    gap: (track.rear() - ego.front()).max(0.1),
-                    speed: track.s_rate.max(0.0),
-                };
-                let accel = self.driver.improved_accel(ego.s_rate, Some(leader));
-                if accel < least {
-                    least = accel;
-                }
+    fn follow(&self, ego: &Body, tracks: &[Track]) -> f64 {
+        let free = self.driver.improved_free_accel(ego.s_rate);
+        let mut least = free;
+        for track in self.in_the_way.iter().map(|place| &tracks[*place]) {
+            let leader = Leader {
+                gap: (track.rear() - ego.front()).max(0.1),
+                speed: track.s_rate.max(0.0),
+            };
+            let accel = self.driver.improved_accel_behind(ego.s_rate, leader, free);
+            if accel < least {
+                least = accel;
             }
         }
         least.clamp(-self.params.comfort_decel_limit, self.params.max_accel)

@@ -5,33 +5,30 @@ use zhuyi_core::{Across, Along, Track, Trajectory};
 /// The way along the road at acceleration `accel`; a braking vehicle stands once its speed is gone.
 ///
 /// By hand: 10 m/s braking at 2 m/s2 from s = 0 stands after 5 s at 25 m (tested below).
-pub(crate) fn along(track: &Track, accel: f64) -> Vec<Along> {
+pub(crate) fn along(track: &Track, accel: f64, pieces: &mut Vec<Along>) {
     let speed = track.s_rate.max(0.0);
-    let mut pieces = vec![Along::constant_accel(0.0, track.road.s, speed, accel)];
     if accel < 0.0 {
         let stop = speed / -accel;
         let end = track.road.s + speed * stop / 2.0;
         if stop > 0.0 {
+            pieces.push(Along::constant_accel(0.0, track.road.s, speed, accel));
             pieces.push(Along::constant_accel(stop, end, 0.0, 0.0));
         } else {
-            pieces[0] = Along::constant_accel(0.0, track.road.s, 0.0, 0.0);
+            pieces.push(Along::constant_accel(0.0, track.road.s, 0.0, 0.0));
         }
+    } else {
+        pieces.push(Along::constant_accel(0.0, track.road.s, speed, accel));
     }
-    pieces
 }
 
-/// Constant `accel` along the road and the track's lateral speed across it.
-pub(crate) fn trajectory(track: &Track, accel: f64) -> Trajectory {
-    let across = vec![Across {
+/// Constant `accel` along the road and the track's lateral speed across it, into an empty `way`.
+pub(crate) fn trajectory(track: &Track, accel: f64, way: &mut Trajectory) {
+    along(track, accel, &mut way.along);
+    way.across.push(Across {
         time: 0.0,
         d: track.road.d,
         d_rate: track.d_rate,
-    }];
-    Trajectory {
-        along: along(track, accel),
-        across,
-        known_until: f64::INFINITY,
-    }
+    });
 }
 
 #[cfg(test)]
@@ -55,6 +52,12 @@ pub(crate) mod tests {
             s_deviation: 0.0,
             d_deviation: 0.0,
         }
+    }
+
+    fn trajectory(track: &Track, accel: f64) -> Trajectory {
+        let mut list = Vec::new();
+        super::trajectory(track, accel, crate::Ways::new(&mut list).add(1.0));
+        list.remove(0).1
     }
 
     #[test]

@@ -5,37 +5,33 @@ use zhuyi_core::{Across, Road, Track, Trajectory};
 
 use crate::constant::along;
 
-/// The forecast's only trajectory.
-pub(crate) fn trajectory(track: &Track, road: &Road, threshold: f64) -> Trajectory {
-    Trajectory {
-        along: along(track, track.s_accel),
-        across: across(track, road, threshold),
-        known_until: f64::INFINITY,
-    }
+/// The forecast's only trajectory, into an empty `way`.
+pub(crate) fn trajectory(track: &Track, road: &Road, threshold: f64, way: &mut Trajectory) {
+    along(track, track.s_accel, &mut way.along);
+    across(track, road, threshold, &mut way.across);
 }
 
-pub(crate) fn across(track: &Track, road: &Road, threshold: f64) -> Vec<Across> {
+pub(crate) fn across(track: &Track, road: &Road, threshold: f64, pieces: &mut Vec<Across>) {
     let (d, rate) = (track.road.d, track.d_rate);
     if rate.abs() < threshold {
-        return vec![Across {
+        pieces.push(Across {
             time: 0.0,
             d,
             d_rate: 0.0,
-        }];
+        });
+        return;
     }
     let goal = next_center(road, d, rate);
-    vec![
-        Across {
-            time: 0.0,
-            d,
-            d_rate: rate,
-        },
-        Across {
-            time: (goal - d) / rate,
-            d: goal,
-            d_rate: 0.0,
-        },
-    ]
+    pieces.push(Across {
+        time: 0.0,
+        d,
+        d_rate: rate,
+    });
+    pieces.push(Across {
+        time: (goal - d) / rate,
+        d: goal,
+        d_rate: 0.0,
+    });
 }
 
 /// [m] the first lane centre at or beyond `d` in the direction of `rate`; beyond the last lane, `d` itself.
@@ -62,6 +58,12 @@ mod tests {
 
     fn road() -> Road {
         Road::new(Pose::default(), &[Segment::Line { length: 500.0 }], 3, 3.5).unwrap()
+    }
+
+    fn across(track: &Track, road: &Road, threshold: f64) -> Vec<Across> {
+        let mut pieces = Vec::new();
+        super::across(track, road, threshold, &mut pieces);
+        pieces
     }
 
     #[test]

@@ -11,9 +11,11 @@
 mod constant;
 mod lane_change;
 mod manoeuvres;
+mod ways;
 
 pub use manoeuvres::Manoeuvres;
 
+use ways::Ways;
 use zhuyi_core::{Forecast, Road, Track};
 
 /// Which predictor the ego uses.
@@ -36,18 +38,32 @@ pub enum Predictor {
 impl Predictor {
     /// The forecast for one track. Times of its pieces count from the track's `time`.
     pub fn forecast(self, track: &Track, road: &Road) -> Forecast {
-        let trajectories = match self {
-            Self::ConstantVelocity => vec![(1.0, constant::trajectory(track, 0.0))],
-            Self::ConstantAcceleration => vec![(1.0, constant::trajectory(track, track.s_accel))],
-            Self::LaneChange { threshold } => {
-                vec![(1.0, lane_change::trajectory(track, road, threshold))]
-            }
-            Self::Manoeuvres(manoeuvres) => manoeuvres::trajectories(track, road, &manoeuvres),
-        };
-        Forecast {
+        let mut forecast = Forecast {
             actor: track.actor,
             footprint: track.footprint,
-            trajectories,
+            trajectories: Vec::new(),
+        };
+        self.forecast_into(track, road, &mut forecast);
+        forecast
+    }
+
+    /// The same in place of another forecast, whose lists it takes over: where there are as many trajectories as before,
+    /// it allocates nothing.
+    pub fn forecast_into(self, track: &Track, road: &Road, forecast: &mut Forecast) {
+        (forecast.actor, forecast.footprint) = (track.actor, track.footprint);
+        let mut ways = Ways::new(&mut forecast.trajectories);
+        match self {
+            Self::ConstantVelocity => constant::trajectory(track, 0.0, ways.add(1.0)),
+            Self::ConstantAcceleration => {
+                constant::trajectory(track, track.s_accel, ways.add(1.0));
+            }
+            Self::LaneChange { threshold } => {
+                lane_change::trajectory(track, road, threshold, ways.add(1.0));
+            }
+            Self::Manoeuvres(manoeuvres) => {
+                manoeuvres::trajectories(track, road, &manoeuvres, &mut ways);
+            }
         }
+        ways.end();
     }
 }

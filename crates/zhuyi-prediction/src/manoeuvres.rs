@@ -10,8 +10,9 @@
 //! 3), with fixed probabilities in place of a classifier. Left out: that probabilities depend on the situation, and that
 //! actors react to each other.
 
-use zhuyi_core::{Across, Lane, Road, Track, Trajectory};
+use zhuyi_core::{Across, Lane, Road, Track};
 
+use crate::Ways;
 use crate::constant::along;
 use crate::lane_change::across;
 
@@ -30,12 +31,13 @@ pub struct Manoeuvres {
     pub lateral_speed: f64,
 }
 
-/// The trajectories with their probabilities, which sum to one.
+/// The trajectories with their probabilities, which sum to one, into `ways`.
 pub(crate) fn trajectories(
     track: &Track,
     road: &Road,
     manoeuvres: &Manoeuvres,
-) -> Vec<(f64, Trajectory)> {
+    ways: &mut Ways<'_>,
+) {
     let Manoeuvres {
         threshold,
         braking,
@@ -43,24 +45,18 @@ pub(crate) fn trajectories(
         changing,
         lateral_speed,
     } = *manoeuvres;
-    let way = |accel: f64, across: Vec<Across>| Trajectory {
-        along: along(track, accel),
-        across,
-        known_until: f64::INFINITY,
-    };
-    let sideways = across(track, road, threshold);
+    // What the others leave is known at the end.
+    let goes_on = ways.add(1.0);
+    along(track, track.s_accel, &mut goes_on.along);
+    across(track, road, threshold, &mut goes_on.across);
     let mut rest = 1.0;
-    let mut all = Vec::with_capacity(4);
-    let mut add = |probability: f64, trajectory: Trajectory| {
-        if probability > 0.0 {
-            rest -= probability;
-            all.push((probability, trajectory));
-        }
-    };
-    if track.s_rate > 0.0 {
-        add(braking, way(track.s_accel.min(-decel), sideways.clone()));
+    if track.s_rate > 0.0 && braking > 0.0 {
+        rest -= braking;
+        let brakes = ways.add(braking);
+        along(track, track.s_accel.min(-decel), &mut brakes.along);
+        across(track, road, threshold, &mut brakes.across);
     }
-    if track.s_rate > 0.0 && track.d_rate.abs() < threshold {
+    if track.s_rate > 0.0 && track.d_rate.abs() < threshold && changing > 0.0 {
         let lane = road.lane_at(track.road.d).map(|lane| lane.0);
         let left = lane
             .map(|lane| lane + 1)
@@ -68,32 +64,31 @@ pub(crate) fn trajectories(
         let right = lane.map(|lane| lane - 1).filter(|lane| *lane >= 1);
         for (lane, rate) in [(left, lateral_speed), (right, -lateral_speed)] {
             if let Some(lane) = lane {
+                rest -= changing;
                 let goal = road.lane_center(Lane(lane));
-                let change = vec![
-                    Across {
-                        time: 0.0,
-                        d: track.road.d,
-                        d_rate: rate,
-                    },
-                    Across {
-                        time: (goal - track.road.d) / rate,
-                        d: goal,
-                        d_rate: 0.0,
-                    },
-                ];
-                add(changing, way(track.s_accel, change));
+                let changes = ways.add(changing);
+                along(track, track.s_accel, &mut changes.along);
+                changes.across.push(Across {
+                    time: 0.0,
+                    d: track.road.d,
+                    d_rate: rate,
+                });
+                changes.across.push(Across {
+                    time: (goal - track.road.d) / rate,
+                    d: goal,
+                    d_rate: 0.0,
+                });
             }
         }
     }
-    all.insert(0, (rest, way(track.s_accel, sideways)));
-    all
+    ways.reweigh_first(rest);
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::constant::tests::track;
-    use zhuyi_core::{Pose, Segment};
+    use zhuyi_core::{Pose, Segment, Trajectory};
 
     const MANOEUVRES: Manoeuvres = Manoeuvres {
         threshold: 0.3,
@@ -105,6 +100,14 @@ mod tests {
 
     fn road() -> Road {
         Road::new(Pose::default(), &[Segment::Line { length: 500.0 }], 3, 3.5).expect("a road")
+    }
+
+    fn trajectories(track: &Track, road: &Road, manoeuvres: &Manoeuvres) -> Vec<(f64, Trajectory)> {
+        let mut list = Vec::new();
+        let mut ways = Ways::new(&mut list);
+        super::trajectories(track, road, manoeuvres, &mut ways);
+        ways.end();
+        list
     }
 
     #[test]

@@ -5,7 +5,10 @@
 //! Beyond the paper, each an option: [`Hindsight::with_phantoms`] adds an actor wherever nobody looks,
 //! [`Hindsight::with_evasion`] lets the ego evade, [`Hindsight::of_the_visible`] leaves out who is hidden (reading R14).
 
-use zhuyi_core::{ActorId, Body, Camera, CameraId, Footprint, FrameRates, Road, SimTime};
+use zhuyi_core::{
+    ActorId, Axes, Body, Camera, CameraId, Footprint, FrameRates, Point, Pose, Road, Sector,
+    SimTime,
+};
 use zhuyi_estimator::phantom::visible_share;
 use zhuyi_estimator::{
     Demand, Ego, Estimate, Estimator, Future, Phantom, PhantomParams, Recording, Watch,
@@ -141,7 +144,8 @@ impl<'a> Hindsight<'a> {
         estimate: impl FnMut(ActorId, f64) -> Estimate,
     ) -> Vec<Demand> {
         let mut demands = vec![estimator.quiet(); self.rig.len()];
-        self.demands_into(estimator, row, estimate, &mut demands);
+        let mut covered = Covered::by(&self.rig);
+        self.demands_into(estimator, row, estimate, &mut covered, &mut demands);
         demands
     }
 
@@ -150,10 +154,14 @@ impl<'a> Hindsight<'a> {
         estimator: &Estimator,
         row: &Row<'_>,
         estimate: impl FnMut(ActorId, f64) -> Estimate,
+        covered: &mut Covered,
         demands: &mut [Demand],
     ) {
+        covered.look(&self.rig, row);
         let actors = (0..).map(ActorId).zip(row.actors);
-        let counts = |camera: &Camera, _: ActorId, body: &Body| self.counts(camera, row, body);
+        let counts = |place: usize, actor: ActorId, body: &Body| {
+            covered.holds(place, actor) && self.shows(self.rig[place].camera, row, body)
+        };
         estimator.demands_into(&self.rig, actors, counts, estimate, demands);
         if let Some((road, params)) = &self.phantoms {
             let around = surroundings(road, row.ego, row.actors);
@@ -161,11 +169,12 @@ impl<'a> Hindsight<'a> {
         }
     }
 
-    /// Whether an actor counts for a camera.
-    fn counts(&self, camera: &Camera, row: &Row<'_>, body: &Body) -> bool {
-        let (ego, of) = (row.ego.pose, (body.footprint, body.pose));
-        let seen = |least| visible_share(camera, ego, of.0, of.1, row.actors) >= least;
-        camera.covers_body(ego, body) && self.least_share.is_none_or(seen)
+    /// Whether an actor that a camera covers is seen well enough to count.
+    fn shows(&self, camera: &Camera, row: &Row<'_>, body: &Body) -> bool {
+        self.least_share.is_none_or(|least| {
+            let (footprint, pose) = (body.footprint, body.pose);
+            visible_share(camera, row.ego.pose, footprint, pose, row.actors) >= least
+        })
     }
 
     /// What decides at a row where nobody looks; none without phantoms.
@@ -181,6 +190,7 @@ impl<'a> Hindsight<'a> {
     pub fn peaks(&self, estimator: &Estimator) -> Peaks {
         let mut peaks = self.no_peaks();
         let mut demands = vec![estimator.quiet(); self.rig.len()];
+        let mut covered = Covered::by(&self.rig);
         // The answer of the step before, of each actor.
         let mut last: Vec<Option<Estimate>> = vec![None; self.futures.len()];
         for row in self.trace.rows() {
@@ -188,7 +198,7 @@ impl<'a> Hindsight<'a> {
                 let last = &mut last[actor.index()];
                 *last.insert(self.estimate_after(estimator, &row, actor, l_0, last.as_ref()))
             };
-            self.demands_into(estimator, &row, estimate, &mut demands);
+            self.demands_into(estimator, &row, estimate, &mut covered, &mut demands);
             self.add(&mut peaks, row.time, &demands);
         }
         peaks
@@ -231,6 +241,37 @@ impl<'a> Hindsight<'a> {
         if sum > peaks.sum {
             peaks.sum = sum;
         }
+    }
+}
+
+/// Which cameras cover which actors at one row; kept from row to row, it allocates nothing.
+struct Covered {
+    sectors: Vec<Sector>,
+    landmarks: Vec<[Point; 5]>,
+}
+
+impl Covered {
+    fn by(rig: &[Watch<'_>]) -> Self {
+        let sector = |watch: &Watch<'_>| Sector::new(watch.camera, Pose::default());
+        Self {
+            sectors: rig.iter().map(sector).collect(),
+            landmarks: Vec::new(),
+        }
+    }
+
+    fn look(&mut self, rig: &[Watch<'_>], row: &Row<'_>) {
+        let ego = Axes::new(row.ego.pose);
+        for (sector, watch) in self.sectors.iter_mut().zip(rig) {
+            sector.move_to(watch.camera.pose_on(&ego));
+        }
+        self.landmarks.clear();
+        let landmarks = |body: &Body| body.footprint.landmarks(body.pose);
+        self.landmarks.extend(row.actors.iter().map(landmarks));
+    }
+
+    /// As [`Camera::covers_body`].
+    fn holds(&self, place: usize, actor: ActorId) -> bool {
+        self.sectors[place].holds_any(&self.landmarks[actor.index()])
     }
 }
 

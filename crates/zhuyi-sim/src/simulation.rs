@@ -2,10 +2,11 @@
 
 use rand::RngExt;
 use zhuyi_core::{
-    Body, CameraId, Command, Forecast, FrameRates, Frenet, Manoeuvre, SimTime, Track,
+    Body, CameraId, Command, Forecast, FrameRates, Frenet, Manoeuvre, Road, SimTime, Track,
 };
 use zhuyi_perception::{Eyes, Purpose, Tracker};
 use zhuyi_planner::Planner;
+use zhuyi_prediction::Predictor;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::safety::Measures;
 use zhuyi_scheduler::{Compute, Discipline};
@@ -87,8 +88,11 @@ impl<'a> Simulation<'a> {
                 scenario.ego.speed,
             ),
             backup: false,
-            forecasts: Vec::new(),
-            trace: Trace::new(scenario.actors.iter().map(|a| a.name.as_str())),
+            forecasts: Vec::with_capacity(scenario.actors.len()),
+            trace: Trace::new(
+                scenario.actors.iter().map(|a| a.name.as_str()),
+                (scenario.duration.nanos() / STEP.nanos()) as usize + 1,
+            ),
             world,
             witness: None,
         }
@@ -106,15 +110,13 @@ impl<'a> Simulation<'a> {
     pub fn tick(&mut self) -> Option<Contact> {
         let (scene, road) = (self.world.scene(), &self.scenario.road);
         let tracks = self.tracker.tracks(scene.time);
-        self.forecasts.clear();
-        self.forecasts.extend(
-            tracks
-                .iter()
-                .map(|track| self.system.predictor.forecast(track, road)),
+        forecast(self.system.predictor, tracks, road, &mut self.forecasts);
+        let planned = self.planner.plan(
+            scene.time,
+            &scene.ego,
+            tracks,
+            &self.forecasts[..tracks.len()],
         );
-        let planned = self
-            .planner
-            .plan(scene.time, &scene.ego, tracks, &self.forecasts);
         let command = if self.backup {
             backed_up(planned, self.system.estimator.c3)
         } else {
@@ -139,6 +141,7 @@ impl<'a> Simulation<'a> {
             if let Some(witness) = &mut self.witness {
                 witness.taken(now, &frame);
             }
+            self.eyes.reuse(frame);
         }
         contact
     }
@@ -242,6 +245,16 @@ impl<'a> Simulation<'a> {
             } else {
                 self.eyes.set_rate(camera, *hz, now);
             }
+        }
+    }
+}
+
+/// The forecasts of all tracks in their order, the first of the list; the rest of it is room for more.
+fn forecast(predictor: Predictor, tracks: &[Track], road: &Road, forecasts: &mut Vec<Forecast>) {
+    for (place, track) in tracks.iter().enumerate() {
+        match forecasts.get_mut(place) {
+            Some(old) => predictor.forecast_into(track, road, old),
+            None => forecasts.push(predictor.forecast(track, road)),
         }
     }
 }

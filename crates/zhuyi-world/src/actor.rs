@@ -1,13 +1,20 @@
 //! Actors in motion: what a script makes of a vehicle, step by step.
 //!
 //! An actor moves along its lane at a speed `v` that is linear within a step, `ds/dt = v / (1 - κ d)`, and across it along
-//! a minimum-jerk [`LaneChange`]. Its heading is that of its velocity.
+//! a minimum-jerk [`LaneChange`] `d(τ)`. Its heading is that of its velocity. A car that stops half-way across stays there and
+//! as it is turned: below `v_w` a lane change goes by the way and not by the time,
+//! ```text
+//!  dτ/dt = min(1, v / v_w)      heading against the lane = atan(d'(τ) / max(v, v_w))      v_w = 5 m/s
+//! ```
 //! Reactive actors know the truth at once: they stand for attentive drivers, whose errors are not under study.
 
 use zhuyi_core::idm::Leader;
 use zhuyi_core::{ActorId, Body, Footprint, Frenet, LaneChange, Lateral, Pose, Road, Scene};
 
 use crate::script::{Action, Actor, Behaviour, Manoeuvre, Station, Trigger};
+
+/// [m/s] v_w, the speed below which a lane change goes by the way: one of 3.5 m in 3 s then turns the car by 24 degrees at most.
+const BY_THE_WAY: f64 = 5.0;
 
 /// What an actor does along the road.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,7 +35,7 @@ pub struct Mover {
     accel: f64,
     drive: Drive,
     lane_change: LaneChange,
-    /// [s] time spent moving: the clock of lane changes, so that a car that stops half-way stays there.
+    /// [s] τ, the clock of lane changes.
     moving: f64,
     /// How many manoeuvres have begun.
     begun: usize,
@@ -92,20 +99,16 @@ impl Mover {
         }
     }
 
-    /// Moves on by `dt` seconds.
-    pub fn advance(&mut self, road: &Road, dt: f64) {
-        self.s = self.s_after(road, dt);
+    /// Moves on by `dt` seconds, at whose end its [`Mover::body`] is at `s` [m].
+    pub fn arrive(&mut self, s: f64, dt: f64) {
+        self.s = s;
         self.moving = self.moving_after(dt);
         self.speed = (self.speed + self.accel * dt).max(0.0);
     }
 
     /// [s] the clock of lane changes `dt` seconds on.
     fn moving_after(&self, dt: f64) -> f64 {
-        if self.speed > 0.0 || self.accel > 0.0 {
-            self.moving + dt
-        } else {
-            self.moving
-        }
+        self.moving + dt * pace((self.speed + self.accel * dt / 2.0).max(0.0))
     }
 
     /// [m] its centre `dt` seconds on: the way along the lane, scaled to the reference line by the curvature and
@@ -113,6 +116,9 @@ impl Mover {
     fn s_after(&self, road: &Road, dt: f64) -> f64 {
         let way = (self.speed + self.accel * dt / 2.0) * dt;
         let curvature = road.curvature(self.s + way / 2.0);
+        if curvature == 0.0 {
+            return self.s + way; // all offsets are equally long
+        }
         self.s + way / (1.0 - curvature * self.lane_change.at(self.moving_after(dt / 2.0)).d)
     }
 
@@ -120,28 +126,33 @@ impl Mover {
     pub fn body(&self, footprint: Footprint, road: &Road, dt: f64) -> Body {
         let s = self.s_after(road, dt);
         let Lateral { d, rate, .. } = self.lane_change.at(self.moving_after(dt));
-        let d_rate = if self.speed > 0.0 || self.accel > 0.0 {
-            rate
-        } else {
-            0.0
-        };
         let along = (self.speed + self.accel * dt).max(0.0);
+        let d_rate = rate * pace(along);
         let at = road.world_from_road(Frenet { s, d });
-        let turn = if d_rate == 0.0 {
+        let turn = if rate == 0.0 {
             0.0
         } else {
-            d_rate.atan2(along)
+            rate.atan2(along.max(BY_THE_WAY))
         };
         Body {
             footprint,
             road: Frenet { s, d },
             pose: Pose::new(at.x, at.y, at.heading + turn),
-            speed: along.hypot(d_rate),
+            speed: if d_rate == 0.0 {
+                along
+            } else {
+                along.hypot(d_rate)
+            },
             accel: self.accel,
             s_rate: along / (1.0 - road.curvature(s) * d),
             d_rate,
         }
     }
+}
+
+/// [-] how fast the clock of lane changes goes at a speed along the lane.
+fn pace(along: f64) -> f64 {
+    (along / BY_THE_WAY).min(1.0)
 }
 
 /// Whether a manoeuvre's trigger fires.

@@ -65,7 +65,16 @@ impl Vehicle {
 
     /// [1/m] curvature of the centre's path at a steering angle: sin(β) / l_r.
     pub fn path_curvature(&self, steering: f64) -> f64 {
-        self.slip_angle(steering).sin() / (self.wheelbase / 2.0)
+        self.turn(steering).curvature
+    }
+
+    /// What a steering angle makes of the way ahead.
+    pub fn turn(&self, steering: f64) -> Turn {
+        let slip = self.slip_angle(steering);
+        Turn {
+            slip,
+            curvature: slip.sin() / (self.wheelbase / 2.0),
+        }
     }
 
     /// [rad] the steering angle that gives a curvature, within the steering's limits; inverse of [`Vehicle::path_curvature`].
@@ -96,6 +105,9 @@ impl Vehicle {
         accel: f64,
         dt: f64,
     ) -> f64 {
+        if curvature == 0.0 && steering == 0.0 {
+            return 0.0; // straight on, whatever the tyres hold
+        }
         let grip = ((self.friction * GRAVITY).powi(2) - accel * accel)
             .max(0.0)
             .sqrt();
@@ -110,6 +122,15 @@ impl Vehicle {
         let held = self.steering_for(most);
         (steering + change.clamp(-limit, limit)).clamp(-held, held)
     }
+}
+
+/// Where a steering angle leads, the same for a whole step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turn {
+    /// [rad] β, angle of the centre's velocity against the heading.
+    pub slip: f64,
+    /// [1/m] curvature of the centre's path.
+    pub curvature: f64,
 }
 
 /// The ego in motion.
@@ -136,17 +157,24 @@ impl Ego {
             vehicle.lagged_steering(self.steering, command.curvature, self.speed, self.accel, dt);
     }
 
-    /// The state `dt` seconds later at constant acceleration and steering angle (one step of the classical Runge-Kutta method).
+    /// The state `dt` seconds later at constant acceleration and steering angle (one step of the classical Runge-Kutta
+    /// method); `turn` is what the steering angle makes of the way.
     #[must_use]
-    pub fn advanced(&self, vehicle: &Vehicle, road: &Road, dt: f64) -> Self {
-        let slip = vehicle.slip_angle(self.steering);
-        let turn = slip.sin() / (vehicle.wheelbase / 2.0);
-        let rate = |s: f64, d: f64, heading: f64, time: f64| {
+    pub fn advanced(&self, turn: Turn, road: &Road, dt: f64) -> Self {
+        let mut known = (f64::NAN, (0.0, 1.0));
+        // On a straight way the heading stays, and so do its sine and cosine.
+        let mut sin_cos = |angle: f64| {
+            if angle != known.0 {
+                known = (angle, angle.sin_cos());
+            }
+            known.1
+        };
+        let mut rate = |s: f64, d: f64, heading: f64, time: f64| {
             let v = self.speed + self.accel * time;
             let curvature = road.curvature(s);
-            let (sin, cos) = (heading + slip).sin_cos();
+            let (sin, cos) = sin_cos(heading + turn.slip);
             let s_rate = v * cos / (1.0 - curvature * d);
-            [s_rate, v * sin, v * turn - curvature * s_rate]
+            [s_rate, v * sin, v * turn.curvature - curvature * s_rate]
         };
         let Frenet { s, d } = self.road;
         let h = dt / 2.0;
@@ -172,9 +200,9 @@ impl Ego {
     }
 
     /// The body as others see it.
-    pub fn body(&self, vehicle: &Vehicle, road: &Road) -> Body {
+    pub fn body(&self, vehicle: &Vehicle, turn: Turn, road: &Road) -> Body {
         let at = road.world_from_road(self.road);
-        let (sin, cos) = (self.heading + vehicle.slip_angle(self.steering)).sin_cos();
+        let (sin, cos) = (self.heading + turn.slip).sin_cos();
         Body {
             footprint: vehicle.footprint,
             road: self.road,
@@ -246,10 +274,10 @@ mod tests {
         state.steering = vehicle.steering_for(1.0 / 50.0);
         let slip = vehicle.slip_angle(state.steering);
         state.heading = -slip; // the velocity, not the body, starts along the road
-        let steps = 1000;
+        let (steps, turn) = (1000, vehicle.turn(state.steering));
         let quarter = 50.0 * std::f64::consts::FRAC_PI_2 / 10.0;
         for _ in 0..steps {
-            state = state.advanced(&vehicle, &road, quarter / f64::from(steps));
+            state = state.advanced(turn, &road, quarter / f64::from(steps));
         }
         assert!(
             (state.road.s - 50.0).abs() < 1e-9 && (state.road.d - 50.0).abs() < 1e-9,
@@ -277,10 +305,14 @@ mod tests {
             let command = wish(0.5, 0.004 * f64::from(step / 100 % 3 - 1));
             for (state, road) in [(&mut a, &road), (&mut b, &arc)] {
                 state.actuate(&vehicle, command, 0.01);
-                *state = state.advanced(&vehicle, road, 0.01);
+                *state = state.advanced(vehicle.turn(state.steering), road, 0.01);
             }
         }
-        let (p, q) = (a.body(&vehicle, &road).pose, b.body(&vehicle, &arc).pose);
+        let pose = |state: &Ego, road| {
+            let turn = vehicle.turn(state.steering);
+            state.body(&vehicle, turn, road).pose
+        };
+        let (p, q) = (pose(&a, &road), pose(&b, &arc));
         assert!(
             (p.x - q.x).abs() < 1e-6 && (p.y - q.y).abs() < 1e-6,
             "{p:?} {q:?}"
@@ -319,7 +351,7 @@ mod tests {
                 "{state:?}"
             );
             last = state.accel;
-            state = state.advanced(&vehicle, &road, 0.01);
+            state = state.advanced(vehicle.turn(state.steering), &road, 0.01);
         }
     }
 
@@ -329,7 +361,7 @@ mod tests {
         for _ in 0..200 {
             state.actuate(&vehicle, wish(-5.0, 0.0), 0.01);
             let before = state.road.s;
-            state = state.advanced(&vehicle, &road, 0.01);
+            state = state.advanced(vehicle.turn(state.steering), &road, 0.01);
             assert!(state.road.s >= before && state.speed >= 0.0);
         }
         assert_eq!((state.speed, state.accel), (0.0, 0.0));

@@ -6,7 +6,7 @@ use crate::actor::Mover;
 use crate::contact::{Contact, Motion, first_contact};
 use crate::crash::{Crash, CrashBody, CrashError, crash};
 use crate::script::{Actor, Place};
-use crate::vehicle::{Ego, Vehicle};
+use crate::vehicle::{Ego, Turn, Vehicle};
 
 /// Where one actor starts in one run, jitter included.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,6 +42,10 @@ pub struct World<'a> {
     actors: &'a [Actor],
     /// State at the start of the last step; its motion holds until `now`.
     ego: Ego,
+    /// Where its steering leads during that step.
+    turn: Turn,
+    /// State now.
+    ego_now: Ego,
     movers: Vec<Mover>,
     before: SimTime,
     now: SimTime,
@@ -68,9 +72,10 @@ impl<'a> World<'a> {
             .zip(&movers)
             .map(|(a, m)| m.body(a.footprint, road, 0.0))
             .collect();
+        let turn = vehicle.turn(ego.steering);
         let scene = Scene {
             time: SimTime::ZERO,
-            ego: ego.body(vehicle, road),
+            ego: ego.body(vehicle, turn, road),
             actors: bodies,
         };
         Self {
@@ -78,6 +83,8 @@ impl<'a> World<'a> {
             vehicle,
             actors,
             ego,
+            turn,
+            ego_now: ego,
             movers,
             before: SimTime::ZERO,
             now: SimTime::ZERO,
@@ -106,14 +113,16 @@ impl<'a> World<'a> {
             );
         }
         self.ego.actuate(self.vehicle, command, seconds);
+        self.turn = self.vehicle.turn(self.ego.steering);
         self.now += dt;
+        self.ego_now = self.ego_at(self.now);
         std::mem::swap(&mut self.previous, &mut self.scene);
-        let mut scene = std::mem::take(&mut self.scene.actors);
-        self.fill(self.now, &mut scene);
+        let mut actors = std::mem::take(&mut self.scene.actors);
+        self.fill(self.now, &mut actors);
         self.scene = Scene {
             time: self.now,
-            ego: self.ego_at(self.now).body(self.vehicle, self.road),
-            actors: scene,
+            ego: self.ego_now.body(self.vehicle, self.turn, self.road),
+            actors,
         };
         self.contact()
     }
@@ -122,17 +131,17 @@ impl<'a> World<'a> {
     fn finish_step(&mut self) {
         let dt = (self.now - self.before).seconds();
         if dt > 0.0 {
-            self.ego = self.ego_at(self.now);
-            for mover in &mut self.movers {
-                mover.advance(self.road, dt);
+            self.ego = self.ego_now;
+            for (mover, body) in self.movers.iter_mut().zip(&self.scene.actors) {
+                mover.arrive(body.road.s, dt);
             }
         }
         self.before = self.now;
     }
 
     fn ego_at(&self, time: SimTime) -> Ego {
-        self.ego
-            .advanced(self.vehicle, self.road, (time - self.before).seconds())
+        let elapsed = (time - self.before).seconds();
+        self.ego.advanced(self.turn, self.road, elapsed)
     }
 
     fn fill(&self, time: SimTime, bodies: &mut Vec<zhuyi_core::Body>) {
@@ -149,7 +158,7 @@ impl<'a> World<'a> {
     /// The truth at an instant of the last step, written into `scene`.
     pub fn scene_at(&self, time: SimTime, scene: &mut Scene) {
         scene.time = time;
-        scene.ego = self.ego_at(time).body(self.vehicle, self.road);
+        scene.ego = self.ego_at(time).body(self.vehicle, self.turn, self.road);
         self.fill(time, &mut scene.actors);
     }
 
@@ -185,7 +194,6 @@ impl<'a> World<'a> {
         let mut scene = self.scene.clone();
         self.scene_at(time, &mut scene);
         let ego = self.ego_at(time);
-        let turn = self.vehicle.slip_angle(ego.steering);
         let mut bodies = vec![CrashBody {
             actor: None,
             footprint: self.vehicle.footprint,
@@ -193,7 +201,7 @@ impl<'a> World<'a> {
             pose: scene.ego.pose,
             velocity: velocity(
                 Pose {
-                    heading: scene.ego.pose.heading + turn,
+                    heading: scene.ego.pose.heading + self.turn.slip,
                     ..scene.ego.pose
                 },
                 scene.ego.speed,

@@ -444,3 +444,47 @@ fn hand_a_car_that_stops_in_a_lane_change_stays_where_it_is() {
     );
     assert!(stopped.expect("it stops") < 0.2);
 }
+
+#[test]
+fn regress_a_car_that_stops_in_a_lane_change_does_not_spin() {
+    // Half-way across at 3.3 m/s to the side it comes to a stand; its heading once went to 90 degrees and back in a step.
+    let script = vec![
+        at(
+            Trigger::Time(0.0),
+            Action::ChangeLane {
+                lane: Lane(3),
+                duration: 2.0,
+            },
+        ),
+        at(Trigger::Time(0.5), Action::Brake { decel: 8.0 }),
+        at(
+            Trigger::Time(3.0),
+            Action::ReachSpeed {
+                speed: 8.0,
+                accel: 2.0,
+            },
+        ),
+    ];
+    let actors = [actor(2, Place::Ahead(30.0), 8.0, Behaviour::Cruise, script)];
+    let mut before: Option<f64> = None;
+    let mut stood = 0.0;
+    drive(
+        &road(0.0),
+        &actors,
+        1.0,
+        |_| 0.0,
+        8.0,
+        |scene| {
+            let body = &scene.actors[0];
+            let turned = (body.pose.heading - before.unwrap_or(0.0)).abs();
+            assert!(turned < 0.02, "{turned} rad at {:?}", scene.time);
+            if body.speed == 0.0 {
+                stood = body.pose.heading;
+            }
+            before = Some(body.pose.heading);
+        },
+    );
+    // atan(d'/v_w) with d' at most 15/8 x 3.5 m / 2 s.
+    assert!(stood > 0.2 && stood < (3.28125_f64 / 5.0).atan());
+    assert_eq!(before, Some(0.0));
+}

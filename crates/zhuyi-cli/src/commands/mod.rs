@@ -22,6 +22,7 @@ mod report;
 mod reproduce;
 mod robustness;
 mod run;
+mod schema;
 mod show;
 mod sweep;
 
@@ -101,6 +102,8 @@ pub enum Command {
     Allocate(allocate::Arguments),
     /// See what the estimator's options beyond the paper change
     Beyond(beyond::Arguments),
+    /// Tell what the JSON documents and the tables that commands write are made of
+    Schema(schema::Arguments),
     /// Draw the results, each figure with its numbers as CSV beside it
     Figures(figures::Arguments),
 }
@@ -118,7 +121,7 @@ impl Command {
             Self::Estimate(typed) => Box::new(typed.meant()?),
             Self::Report(typed) => Box::new(typed.meant()?),
             Self::Sweep(typed) => Box::new(typed.meant()?),
-            Self::Merge(typed) => Box::new(typed.meant()),
+            Self::Merge(typed) => Box::new(typed.meant()?),
             Self::Diff(typed) => Box::new(typed.meant()),
             Self::Mrf(typed) => Box::new(typed.meant()?),
             Self::Map(typed) => Box::new(typed.meant()?),
@@ -128,6 +131,7 @@ impl Command {
             Self::Compare(typed) => Box::new(typed.meant()?),
             Self::Allocate(typed) => Box::new(typed.meant()?),
             Self::Beyond(typed) => Box::new(typed.meant()?),
+            Self::Schema(typed) => Box::new(typed.meant()?),
             Self::Figures(typed) => Box::new(typed.meant()?),
         })
     }

@@ -83,8 +83,11 @@ impl Exec {
     }
 }
 
-/// The rates in the line, if a policy may give them.
-fn judge(line: &[u8], situation: &Situation<'_>) -> Result<Vec<f64>, Fault> {
+/// [Hz] the rates in a line that a program answered, if a policy may give them.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn judge(line: &[u8], situation: &Situation<'_>) -> Result<Vec<f64>, Fault> {
     let mut rates = protocol::answer(line).map_err(Fault::NotAnAnswer)?;
     let (floor, cap) = (situation.floor(), sharing::CAP);
     if rates.len() != situation.cameras.len() {

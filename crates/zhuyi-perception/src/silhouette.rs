@@ -1,0 +1,214 @@
+//! What is plain at a look: who is wholly in view with nobody before it, who is out of view, who is hidden altogether.
+//!
+//! Seen from the eye a box fills the angle between two of its corners, its rightmost and its leftmost. Whether that angle
+//! lies in the field of view, or apart from that of another box, is told by the signs of cross products, without an angle:
+//! ```text
+//! p in the angle from r to l (less than half a turn)   <=>   r × p >= 0  and  p × l >= 0
+//! ```
+//! Most boxes are far from every border. Where one is not, within [`MARGIN`], or is hidden in part, the answer is left to
+//! the angles of [`crate::sight`], whose answer this one always is.
+
+use zhuyi_core::{Axes, Footprint, Point, Pose};
+
+/// [m2] cross products nearer to zero leave the question open: far more than rounding, less than a hand's breadth.
+const MARGIN: f64 = 1e-3;
+
+/// [-] relative difference of squared distances below which it is open which is larger.
+const RELATIVE_MARGIN: f64 = 1e-9;
+
+type Vector = (f64, f64);
+
+/// The field of view of a camera as it stands at an instant; its borders are unit vectors of the world.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Field {
+    eye: Point,
+    right: Vector,
+    left: Vector,
+    /// Whether it is less than half a turn, so that two borders can tell what lies in it.
+    narrow: bool,
+}
+
+impl Field {
+    /// A field whose half has this sine and cosine, for an eye with these axes.
+    pub fn new(eye: &Axes, (sin, cos): (f64, f64)) -> Self {
+        Self {
+            eye: eye.pose.point(),
+            right: (eye.cos * cos + eye.sin * sin, eye.sin * cos - eye.cos * sin),
+            left: (eye.cos * cos - eye.sin * sin, eye.sin * cos + eye.cos * sin),
+            narrow: cos > MARGIN,
+        }
+    }
+
+    /// Whether the field surely holds all of an angle.
+    fn holds(&self, (right, left): (Vector, Vector)) -> bool {
+        [right, left]
+            .iter()
+            .all(|&border| cross(self.right, border) > MARGIN && cross(border, self.left) > MARGIN)
+    }
+
+    /// Whether all of what lies within `reach` of a point lies on the far side of one border.
+    fn misses(&self, centre: Vector, reach: f64) -> bool {
+        let clear = reach + MARGIN;
+        cross(self.right, centre) < -clear || cross(centre, self.left) < -clear
+    }
+
+    /// Whether the same is so of an angle.
+    fn misses_angle(&self, (right, left): (Vector, Vector)) -> bool {
+        (cross(self.right, right) < -MARGIN && cross(self.right, left) < -MARGIN)
+            || (cross(right, self.left) < -MARGIN && cross(left, self.left) < -MARGIN)
+    }
+
+    /// A box as this eye sees it.
+    pub fn silhouette(&self, footprint: Footprint, pose: Pose) -> Silhouette {
+        let centre = (pose.x - self.eye.x, pose.y - self.eye.y);
+        let half = (footprint.length / 2.0, footprint.width / 2.0);
+        if !self.narrow {
+            return Silhouette::Open;
+        }
+        if self.misses(centre, half.0 + half.1) {
+            return Silhouette::OutOfView;
+        }
+        let axes = Axes::new(pose);
+        let (along, across) = (
+            (half.0 * axes.cos, half.0 * axes.sin),
+            (-half.1 * axes.sin, half.1 * axes.cos),
+        );
+        let (mut right, mut left) = (centre, centre);
+        for (a, b) in [(1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (-1.0, 1.0)] {
+            let corner = (
+                centre.0 + a * along.0 + b * across.0,
+                centre.1 + a * along.1 + b * across.1,
+            );
+            if cross(right, corner) < 0.0 {
+                right = corner;
+            }
+            if cross(left, corner) > 0.0 {
+                left = corner;
+            }
+        }
+        // The eye in the frame of the box.
+        let (x, y) = axes.local(self.eye);
+        let beyond = |distance: f64, half: f64| (distance.abs() - half).max(0.0);
+        let nearest = beyond(x, half.0).powi(2) + beyond(y, half.1).powi(2);
+        if nearest < MARGIN {
+            return Silhouette::Open;
+        }
+        if self.misses_angle((right, left)) {
+            return Silhouette::OutOfView;
+        }
+        Silhouette::Before(Angle {
+            borders: (right, left),
+            whole: self.holds((right, left)),
+            nearest,
+            furthest: (x.abs() + half.0).powi(2) + (y.abs() + half.1).powi(2),
+        })
+    }
+}
+
+/// A box as an eye sees it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Silhouette {
+    /// Not told: the eye is in or at the box, or the field is wide.
+    Open,
+    /// Surely out of view.
+    OutOfView,
+    /// Surely not around the eye.
+    Before(Angle),
+}
+
+impl Silhouette {
+    /// Whether this box surely hides nothing of another that is in view.
+    pub fn spares(&self, body: &Self) -> bool {
+        match (self, body) {
+            (Self::Before(other), Self::Before(body)) => {
+                further(other.nearest, body.furthest) || body.is_apart_from(other)
+            }
+            // What it hides is out of view already.
+            (Self::OutOfView, _) => true,
+            _ => false,
+        }
+    }
+}
+
+/// The angle that a box fills, and how far away it is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Angle {
+    /// The rightmost and the leftmost corner, from the eye.
+    borders: (Vector, Vector),
+    /// Surely all of it is in the field of view.
+    whole: bool,
+    /// [m2] square of the least distance of the box ...
+    nearest: f64,
+    /// ... and of its greatest.
+    furthest: f64,
+}
+
+impl Angle {
+    /// Whether a direction surely lies outside.
+    fn excludes(&self, direction: Vector) -> bool {
+        let (right, left) = self.borders;
+        cross(right, direction) < -MARGIN || cross(direction, left) < -MARGIN
+    }
+
+    /// Whether a direction surely lies inside.
+    fn includes(&self, direction: Vector) -> bool {
+        let (right, left) = self.borders;
+        cross(right, direction) > MARGIN && cross(direction, left) > MARGIN
+    }
+
+    /// Of two angles that overlap at least one holds a border of the other.
+    fn is_apart_from(&self, other: &Self) -> bool {
+        let excludes = |a: &Self, (right, left)| a.excludes(right) && a.excludes(left);
+        excludes(self, other.borders) && excludes(other, self.borders)
+    }
+
+    /// Whether another body surely lies before all of this one.
+    fn is_hidden_by(&self, other: &Self) -> bool {
+        let (right, left) = self.borders;
+        further(self.nearest, other.furthest) && other.includes(right) && other.includes(left)
+    }
+}
+
+/// Whether the camera sees the box at this place, to `least_share` of it at least, within `range` [m]; none where that
+/// is not plain.
+pub(crate) fn sees(
+    silhouettes: &[Silhouette],
+    which: usize,
+    range: f64,
+    least_share: f64,
+) -> Option<bool> {
+    let body = match silhouettes[which] {
+        Silhouette::Open => return None,
+        Silhouette::OutOfView => return Some(false),
+        Silhouette::Before(body) => body,
+    };
+    if further(body.nearest, range * range) {
+        return Some(false);
+    }
+    if !(body.whole && further(range * range, body.nearest)) {
+        return None;
+    }
+    if least_share <= 0.0 {
+        return Some(true);
+    }
+    for (place, other) in silhouettes.iter().enumerate() {
+        if place == which || other.spares(&silhouettes[which]) {
+            continue;
+        }
+        let hides = match other {
+            Silhouette::Before(other) => least_share > MARGIN && body.is_hidden_by(other),
+            _ => false,
+        };
+        return hides.then_some(false);
+    }
+    Some(least_share <= 1.0)
+}
+
+/// Whether one squared distance is surely greater than another.
+fn further(one: f64, other: f64) -> bool {
+    one > other * (1.0 + RELATIVE_MARGIN)
+}
+
+fn cross(a: Vector, b: Vector) -> f64 {
+    a.0 * b.1 - a.1 * b.0
+}

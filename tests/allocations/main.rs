@@ -1,0 +1,87 @@
+//! A run under way asks the heap for nothing: once its lists have grown, in its first second, no tick allocates but
+//! those that first believe in one more actor than ever before, which make the lists of its forecast, and neither does the
+//! offline estimate of a step.
+//!
+//! A binary of its own, since the allocator that counts is the whole binary's. A list that grows counts as one allocation.
+
+use allocation_counter::measure;
+use zhuyi_core::FrameRates;
+use zhuyi_estimator::Estimator;
+use zhuyi_scenario::{Scenario, Setting, Source, System, embedded, load};
+use zhuyi_sim::{Draws, Hindsight, STEP, Simulation};
+
+const BENCH: (&str, &str) = (
+    "cut-in-of-four",
+    include_str!("../../benches/drive/cut-in-of-four.ron"),
+);
+
+const FIRST_SECOND: usize = 100;
+
+/// The lists of a forecast: its trajectories, and the pieces of the one that it has, along and across.
+const LISTS: u64 = 3;
+
+fn read(name: &str, text: &str, settings: &[&str]) -> (Scenario, System) {
+    let settings = settings.iter().map(|set| Setting::parse(set));
+    let settings: Vec<_> = settings.collect::<Result<_, _>>().expect("settings");
+    let system = Source::new("default.ron", embedded::system());
+    load(
+        &Source::new(format!("{name}.ron"), text),
+        &system,
+        &settings,
+    )
+    .expect("a valid scenario")
+}
+
+fn rates(system: &System) -> FrameRates {
+    FrameRates::new(vec![30.0; system.perception.eyes.len()])
+}
+
+fn start<'a>(scenario: &'a Scenario, system: &'a System) -> Simulation<'a> {
+    let draws = Draws {
+        root: 0,
+        scenario: &scenario.name,
+        seed: 0,
+    };
+    Simulation::new(scenario, system, &rates(system), draws)
+}
+
+/// How often each tick after the first second allocates.
+fn of_ticks(scenario: &Scenario, system: &System) -> Vec<u64> {
+    let mut simulation = start(scenario, system);
+    let ticks = scenario.duration.nanos() / STEP.nanos();
+    let tick = |_| measure(|| assert!(simulation.tick().is_none(), "it collided")).count_total;
+    let counts: Vec<u64> = (0..ticks).map(tick).collect();
+    counts[FIRST_SECOND..].to_vec()
+}
+
+#[test]
+fn law_no_tick_allocates_but_to_believe_in_one_more_actor() {
+    let paper = embedded::names().map(|name| (name, embedded::scenario(name).unwrap()));
+    for (name, text) in paper.chain([BENCH]) {
+        let (scenario, system) = read(name, text, &[]);
+        let counts = of_ticks(&scenario, &system);
+        let (total, ticks) = (counts.iter().sum::<u64>(), counts.len());
+        let those = counts.iter().filter(|count| **count > 0).count();
+        println!("{name}: {total} allocations in {those} of {ticks} ticks");
+        let actors = scenario.actors.len() as u64;
+        assert!(
+            total <= LISTS * actors,
+            "{name}: more than {LISTS} lists for {actors} actors"
+        );
+    }
+}
+
+#[test]
+fn law_the_estimate_of_more_steps_allocates_no_more() {
+    let count = |duration: &str| {
+        let (scenario, system) = read(BENCH.0, BENCH.1, &[duration]);
+        let run = start(&scenario, &system).run();
+        let hindsight = Hindsight::new(&run.trace, &system, &rates(&system));
+        let estimator = Estimator::new(system.estimator.clone());
+        measure(|| drop(hindsight.peaks(&estimator))).count_total
+    };
+    let (shorter, longer) = (count("duration_s=10"), count("duration_s=20"));
+    println!("{shorter} allocations for 10 s, {longer} for 20 s");
+    assert!(shorter > 0, "nothing was counted");
+    assert_eq!(shorter, longer);
+}
