@@ -191,6 +191,8 @@ fn law_documents_are_what_their_schemas_say() {
     bench.out("sweep cut-in --fpr 30 --seeds 1 --vary planner.min_gap_m=2:3 --limit 2 --out out");
     check_document(&bench, "plan", &bench.read("out/plan.json"));
     check_document(&bench, "manifest", &results("manifest.json"));
+    let mrf = "mrf cut-out-fast --fpr 5,30 --seeds 2 --json";
+    check_document(&bench, "mrf", &bench.out(mrf));
 }
 
 #[test]
@@ -216,6 +218,10 @@ fn law_tables_are_what_their_schemas_say() {
         check_table(&bench, name, &results(&format!("{name}.csv")));
     }
     check_table(&bench, "allocation", &results("allocation_tops.csv"));
+    for name in ["boundary", "boundary_samples"] {
+        check_table(&bench, name, &results(&format!("{name}.csv")));
+    }
+    check_table(&bench, "map", &results("maps/map.csv"));
     bench.out("sweep cut-out-fast --fpr 2,30 --seeds 1 --vary actors.lead.speed_mps=[17.5,90] --vary estimator.grid=[Fps] --out out");
     check_table(&bench, "out", &bench.read("out/runs.csv"));
     let schema = json(&bench.out("schema out"));

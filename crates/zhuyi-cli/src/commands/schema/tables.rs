@@ -1,6 +1,8 @@
 //! What the columns of the tables are that commands write, but for `runs.csv`, which `zhuyi-lab` tells. A test holds them against the
 //! tables themselves.
 
+mod choices;
+
 use std::borrow::Cow;
 
 use zhuyi_lab::columns::{
@@ -451,7 +453,7 @@ const ALL: [Described; 11] = [
 
 /// All of them.
 pub fn tables() -> impl Iterator<Item = Table> {
-    ALL.iter().map(|described| Table {
+    ALL.iter().chain(&choices::ALL).map(|described| Table {
         name: described.name,
         version: VERSION,
         meaning: Cow::Borrowed(described.meaning),
