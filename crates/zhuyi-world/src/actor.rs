@@ -6,7 +6,8 @@
 //! ```text
 //!  dτ/dt = min(1, v / v_w)      heading against the lane = atan(d'(τ) / max(v, v_w))      v_w = 5 m/s
 //! ```
-//! Reactive actors know the truth at once: they stand for attentive drivers, whose errors are not under study.
+//! Reactive actors know the truth at once: they stand for attentive drivers, whose errors are not under study. Left out: an actor
+//! that begins another lane change half-way first comes to rest sideways, at once, and its box turns back into the lane with it.
 
 use zhuyi_core::idm::Leader;
 use zhuyi_core::{ActorId, Body, Footprint, Frenet, LaneChange, Lateral, Pose, Road, Scene};

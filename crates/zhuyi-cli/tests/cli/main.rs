@@ -4,8 +4,8 @@
 //! |---|---|
 //! | `batches` | `sweep` with `--vary`, killed, interrupted and resumed, in shards; `merge` |
 //! | `budgets` | `allocate`: policies under budgets |
-//! | `choices` | `map` and `boundary` |
 //! | `plans` | `sweep plan.ron`: one sweep with the equal flags, broken plans |
+//! | `choices` | `map` and `boundary` |
 //! | `files` | `list`, `show`, `check`, `new` |
 //! | `one_run` | `run`: text, JSON, trace, rates, settings |
 //! | `many_runs` | `mrf`, `sweep`, `reproduce`, `robustness`, `compare`, `beyond`, `figures` |

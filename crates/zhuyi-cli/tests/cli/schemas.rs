@@ -222,6 +222,23 @@ fn law_tables_are_what_their_schemas_say() {
         check_table(&bench, name, &results(&format!("{name}.csv")));
     }
     check_table(&bench, "map", &results("maps/map.csv"));
+    for name in [
+        "budget",
+        "estimates",
+        "frontier",
+        "online-cut-in",
+        "sensitivity",
+        "throughput",
+    ] {
+        check_table(&bench, name, &results(&format!("figures/{name}.csv")));
+    }
+    for scenario in ["cut-in", "cut-out-fast", "challenging-cut-in-curved"] {
+        check_table(
+            &bench,
+            "latency",
+            &results(&format!("figures/latency-{scenario}.csv")),
+        );
+    }
     bench.out("sweep cut-out-fast --fpr 2,30 --seeds 1 --vary actors.lead.speed_mps=[17.5,90] --vary estimator.grid=[Fps] --out out");
     check_table(&bench, "out", &bench.read("out/runs.csv"));
     let schema = json(&bench.out("schema out"));

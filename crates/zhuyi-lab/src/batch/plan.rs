@@ -333,4 +333,15 @@ pub(super) mod tests {
         };
         assert_eq!(plan.differences(&other), ["root_seed", "seeds"]);
     }
+
+    #[test]
+    fn regress_a_plan_of_more_runs_than_can_be_counted_is_refused() {
+        for seeds in [u64::MAX, u64::MAX / 12 + 1, 1_000_000_000_000] {
+            let plan = Plan { seeds, ..small() };
+            assert_eq!(
+                Plan::read(&plan.json()),
+                Err("it has more than 1000000000000 runs".to_string())
+            );
+        }
+    }
 }
