@@ -16,6 +16,10 @@
 //! where it was looked for is followed. What is taken over and never driven is then audited: cells drawn at random from all that are
 //! left are driven, and those that contradict are told.
 //!
+//! The border is sharp only for its seeds. Where a drive in ten collides, a few centimetres shift the frames against what they see
+//! and decide: within a value or two of a step the MRF may go back and forth. `zhuyi map` with the values around it shows how
+//! frayed it is there.
+//!
 //! A cell is unsafe at its first collision and gets no more drives. Left out: what is safe below the MRF (`zhuyi mrf` tells), and
 //! islands between two values of one MRF, which the audit may or may not meet.
 

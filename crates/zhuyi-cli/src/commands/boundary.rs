@@ -39,7 +39,8 @@ Examples:
 For each scenario and each --vary the MRF (see zhuyi help mrf) at every value, with drives on both sides of the border of safe and \
 unsafe and few elsewhere: five values are scanned through all rates, then values between two of different MRFs are looked at until \
 neighbours are left. Between two values of one MRF it is taken to be the same; 20 cells per curve, drawn at random from all that were \
-not driven, audit that, and those that contradict are told. `zhuyi map` drives every cell.
+not driven, audit that, and those that contradict are told. Beside a step few drives collide, and the MRF of so many seeds may go back and forth from value to value: \
+`zhuyi map` drives every cell and shows how frayed it is.
 
 boundary.md tells the MRFs, boundary.csv has one per value (how: driven, or between), boundary_samples.csv every cell that was driven: \
 scenario, parameter, value, fpr, collided, drives (a cell gets no more after its first collision), why."

@@ -27,8 +27,9 @@ const DEFAULT: [&str; 5] = [
 #[command(
     mut_arg("scenarios", |arg| arg.required(false).help("\
 Scenarios' names (see zhuyi list) or paths of .ron files [default: all that come with the program]")),
-    mut_arg("fpr", |arg| arg.default_value("1:8,10,12,15,20,30").help("\
-Frame rates in frames per second, the same on all cameras: from:to[:step] with both ends, single rates, or several of these")),
+    mut_arg("fpr", |arg| arg.default_value("1:8,10,12,15,20,30").hide_default_value(true).help("\
+Frame rates in frames per second, the same on all cameras: from:to[:step] with both ends, single rates, or several of these \
+[default: 1:8,10,12,15,20,30]")),
     after_help = "\
 Examples:
   zhuyi map cut-out-fast --vary perception.drop_rate=0:0.5:0.1     printed alone: the MRF at each value

@@ -49,7 +49,7 @@ to be at most P or above it. Intervals are then those of Robbins (1970), which h
 called wrongly with a chance of 5 % at most, however often it is looked at. For P = 0.05 that takes 158 drives without a collision.
 
 --json is stable: fields are added, never renamed; what there is not is null. Per scenario: mrf, mrf_fpr, safe_below_fpr, \
-rising_fpr (pairs: the higher rate is shown to collide more often), not_excluded_fpr and shown_fpr (the 95 % range) and rates, each \
+rising (pairs: the higher rate is shown to collide more often), not_excluded_fpr and shown_fpr (the 95 % range) and rates, each \
 with collided, drives, share, low and high (its interval) and replay, the command of its first collision.
 
 With --per-camera, front_120 (and front_60 with it), left and right have a rate each; rear keeps that of the system file. A \

@@ -203,6 +203,8 @@ fn law_documents_are_what_their_schemas_say() {
     let line = "mrf cut-out-fast cut-out --fpr 1:6 --seeds 2 --early-stop --json";
     check_document(&bench, "mrf", &bench.out(line));
     check_document(&bench, "manifest", &results("manifest.json"));
+    let mrf = "mrf cut-out-fast --fpr 5,30 --seeds 2 --json";
+    check_document(&bench, "mrf", &bench.out(mrf));
 }
 
 #[test]
@@ -235,6 +237,10 @@ fn law_tables_are_what_their_schemas_say() {
         check_table(&bench, name, &results(&format!("{name}.csv")));
     }
     check_table(&bench, "allocation", &results("allocation_tops.csv"));
+    for name in ["boundary", "boundary_samples"] {
+        check_table(&bench, name, &results(&format!("{name}.csv")));
+    }
+    check_table(&bench, "map", &results("maps/map.csv"));
     for name in [
         "budget",
         "estimates",

@@ -40,14 +40,23 @@ struct OfScenario {
     mrf_fpr: Option<u32>,
     /// [FPR] rates below it without a collision.
     safe_below_fpr: Vec<u32>,
-    /// [FPR] pairs of which the higher rate is shown to collide more often.
-    rising_fpr: Vec<(u32, u32)>,
+    /// Pairs of rates of which the higher one is shown to collide more often.
+    rising: Vec<Rising>,
     /// [FPR] the lowest rate from which on none is shown to be worse than allowed; `null` where the highest is.
     not_excluded_fpr: Option<u32>,
     /// [FPR] the lowest rate from which on all are shown to be as good as allowed; `null` where the highest is not.
     shown_fpr: Option<u32>,
     /// All that were tested.
     rates: Vec<AtRate>,
+}
+
+/// Two rates.
+#[derive(Debug, Serialize, JsonSchema)]
+struct Rising {
+    /// [FPR] the lower one.
+    lower_fpr: u32,
+    /// [FPR] the higher one.
+    higher_fpr: u32,
 }
 
 /// The drives at a rate.
@@ -97,7 +106,13 @@ impl Document {
                 mrf: required.mrf.to_string(),
                 mrf_fpr: required.mrf.safe_from(),
                 safe_below_fpr: required.safe_below,
-                rising_fpr: rising,
+                rising: rising
+                    .into_iter()
+                    .map(|(lower_fpr, higher_fpr)| Rising {
+                        lower_fpr,
+                        higher_fpr,
+                    })
+                    .collect(),
                 not_excluded_fpr: not_excluded,
                 shown_fpr: shown,
                 rates: shares[place].iter().map(rate).collect(),
