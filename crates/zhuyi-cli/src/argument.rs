@@ -1,28 +1,55 @@
-//! One argument of the command line, of which parts can be pointed at.
+//! One argument of the command line, or what stands for it in a plan, of which parts can be pointed at.
 
 use std::ops::{Range, RangeInclusive};
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use zhuyi_scenario::Piece;
 
 use crate::fault::Fault;
 use crate::problems::Problems;
 
-/// An argument by the name that errors call it by, as `--fpr`, and its text.
+/// An argument by the name that errors call it by, as `--fpr`, and its text: all of what was typed, or a part of it or of a file.
 #[derive(Clone, Copy, Debug)]
 pub struct Argument<'a> {
-    name: &'static str,
+    name: &'a str,
     text: &'a str,
+    start: usize,
+    end: usize,
 }
 
 impl<'a> Argument<'a> {
     /// An argument.
-    pub const fn new(name: &'static str, text: &'a str) -> Self {
-        Self { name, text }
+    pub const fn new(name: &'a str, text: &'a str) -> Self {
+        let (start, end) = (0, text.len());
+        Self {
+            name,
+            text,
+            start,
+            end,
+        }
+    }
+
+    /// What stands in a file.
+    pub fn of(piece: &'a Piece) -> Self {
+        let whole = Self::new(piece.source().name(), piece.source().text());
+        whole.within(&piece.span())
+    }
+
+    /// A part of it.
+    #[must_use]
+    pub fn within(self, place: &Range<usize>) -> Self {
+        let Range { start, end } = *place;
+        Self { start, end, ..self }
     }
 
     /// Where all of it stands.
     pub const fn all(self) -> Range<usize> {
-        0..self.text.len()
+        self.start..self.end
+    }
+
+    /// All of it.
+    pub fn typed(self) -> &'a str {
+        self.at(&self.all())
     }
 
     /// The text at a place.
@@ -94,7 +121,7 @@ impl<'a> Argument<'a> {
     /// Notes a fault of a part.
     pub fn refuse(self, place: &Range<usize>, fault: Fault, problems: &mut Problems) {
         problems.push(Misreading {
-            name: self.name,
+            name: self.name.to_string(),
             text: self.text.to_string(),
             place: place.clone(),
             fault,
@@ -105,7 +132,7 @@ impl<'a> Argument<'a> {
 /// A part of an argument that cannot be taken as meant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Misreading {
-    name: &'static str,
+    name: String,
     text: String,
     place: Range<usize>,
     fault: Fault,
@@ -120,7 +147,7 @@ impl Misreading {
         let caret = AnnotationKind::Primary
             .span(self.place.clone())
             .label(self.fault.hint());
-        let snippet = Snippet::source(line).path(self.name).annotation(caret);
+        let snippet = Snippet::source(line).path(&self.name).annotation(caret);
         renderer.render(&[Level::ERROR.primary_title(&title).element(snippet)])
     }
 }

@@ -104,6 +104,21 @@ pub enum Fault {
     /// Not the form of a varied parameter.
     #[error("a varied parameter has the form path=from:to[:step] or path=[a,b,..], got `{0}`")]
     VaryForm(String),
+    /// A value that a choice cannot have.
+    #[error("`{path}` must be {wanted}, got `{got}`")]
+    Choice {
+        /// The choice.
+        path: String,
+        /// What it may be.
+        wanted: &'static str,
+        /// What was typed.
+        got: String,
+    },
+    /// A choice of values that are drawn.
+    #[error(
+        "a choice has listed values, path=from:to[:step] or path=[a,b,..], and none that are drawn"
+    )]
+    DrawnChoice,
     /// A list of values without one.
     #[error("a varied parameter needs at least one value")]
     NoValue,
@@ -111,10 +126,10 @@ pub enum Fault {
     #[error("a distribution is uniform(from,to) or normal(mean,deviation), got `{0}`")]
     Distribution(String),
     /// Something to draw, and not how many.
-    #[error("`{0}` is drawn, so --samples must say how often")]
+    #[error("`{0}` is drawn, so samples must say how often")]
     NoSamples(String),
     /// How many to draw, and nothing to draw.
-    #[error("nothing is drawn: --vary has no uniform(..) or normal(..)")]
+    #[error("nothing is drawn: no parameter varies as uniform or normal")]
     NothingDrawn,
     /// More parameters than a sequence has bases for.
     #[error("halton draws at most {most} parameters, got {got}")]
@@ -158,6 +173,18 @@ pub enum Fault {
         /// Why.
         why: zhuyi_report::sweep::table::InvalidTable,
     },
+    /// A flag that says what the plan says.
+    #[error("a plan says all that is driven: {0} cannot stand beside it")]
+    BesidePlan(&'static str),
+    /// Something else to drive beside a plan.
+    #[error("a plan says all that is driven: it stands alone")]
+    PlanAlone,
+    /// A plan where no sweep is made.
+    #[error("`{0}` is the plan of a sweep")]
+    IsPlan(String),
+    /// A program that was built without Parquet.
+    #[error("this zhuyi was built without Parquet")]
+    NoParquet,
     /// The name of a new scenario that cannot be one.
     #[error("a name is made of letters, digits, `_` and `-`, got `{0}`")]
     Name(String),
@@ -178,6 +205,11 @@ impl Fault {
     pub fn hint(&self) -> Option<&str> {
         match self {
             Self::Unknown { hint, .. } => Some(hint),
+            Self::NoParquet => {
+                Some("cargo install --locked --path crates/zhuyi-cli --features parquet")
+            }
+            Self::BesidePlan(_) => Some("write it into the plan"),
+            Self::IsPlan(_) => Some("zhuyi sweep and zhuyi check take it"),
             Self::ShardForm(_) => Some("the second of three is 2/3"),
             Self::Name(_) => Some("--output takes a path"),
             Self::Reversed { .. } => Some("the smaller number first"),

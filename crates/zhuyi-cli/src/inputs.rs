@@ -9,6 +9,7 @@ use zhuyi_scenario::{Scenario, Setting, Source, System, did_you_mean, embedded, 
 use crate::argument::Argument;
 use crate::fault::Fault;
 use crate::problems::{Problem, Problems};
+use crate::shell;
 
 /// Name of the system that comes with the program.
 pub const DEFAULT_SYSTEM: &str = "default";
@@ -44,8 +45,25 @@ pub struct Texts {
     pub scenarios: Vec<Source>,
     /// The system.
     pub system: Source,
+    /// Its name or path on a command line, if one was given.
+    pub system_named: Option<String>,
     /// What is set in all of them.
     pub settings: Vec<Setting>,
+}
+
+impl Texts {
+    /// The flags that say the same on another command line, spelt in one way.
+    pub fn options(&self) -> String {
+        let is_named = |path: &&String| *path != DEFAULT_SYSTEM;
+        let system = self.system_named.iter().filter(is_named);
+        let system = system.map(|path| shell::line(["--system", path]));
+        let settings = self.settings.iter().map(|setting| {
+            let typed = format!("{}={}", setting.path(), setting.value());
+            shell::line(["--set", &typed])
+        });
+        let all: Vec<String> = system.chain(settings).collect();
+        all.join(" ")
+    }
 }
 
 impl Inputs {
@@ -62,30 +80,52 @@ impl Inputs {
         problems: &mut Problems,
     ) -> Self {
         let settings = setup.settings(problems);
-        let sources: Vec<Source> = typed
+        let arguments: Vec<Argument<'_>> = typed
             .iter()
-            .filter_map(|typed| scenario_source(Argument::new(argument, typed), problems))
+            .map(|typed| Argument::new(argument, typed))
             .collect();
-        let Some(of_system) = setup.system_source(problems) else {
+        let sources = arguments
+            .iter()
+            .map(|argument| scenario_source(*argument, argument.typed(), problems));
+        let sources: Vec<Option<Source>> = sources.collect();
+        let system = (setup.system.clone(), setup.system_source(problems));
+        Self::from_texts(&arguments, sources, system, settings, problems)
+    }
+
+    /// The same for scenarios of which the texts are read, each if it could be, with what names them, and for a system that is
+    /// called so on a command line.
+    pub fn from_texts(
+        arguments: &[Argument<'_>],
+        sources: Vec<Option<Source>>,
+        (system_named, system): (Option<String>, Option<Source>),
+        settings: Vec<Setting>,
+        problems: &mut Problems,
+    ) -> Self {
+        let Some(of_system) = system else {
             return Self {
                 scenarios: None,
                 system: None,
                 texts: None,
             };
         };
+        let sources: Vec<Source> = sources.into_iter().flatten().collect();
         let system = problems.take(System::read(&of_system, &settings));
         let scenarios: Vec<Scenario> = sources
             .iter()
             .filter_map(|source| problems.take(load(source, &of_system, &settings)))
             .map(|(scenario, _)| scenario)
             .collect();
-        refuse_namesakes(argument, typed, &scenarios, problems);
+        let whole = scenarios.len() == arguments.len();
+        if whole {
+            refuse_namesakes(arguments, &scenarios, problems);
+        }
         Self {
-            scenarios: (scenarios.len() == typed.len()).then_some(scenarios),
+            scenarios: whole.then_some(scenarios),
             system,
             texts: Some(Texts {
                 scenarios: sources,
                 system: of_system,
+                system_named,
                 settings,
             }),
         }
@@ -93,18 +133,13 @@ impl Inputs {
 }
 
 /// Two scenarios of one name would share their draws and their rows.
-fn refuse_namesakes(
-    argument: &'static str,
-    typed: &[String],
-    scenarios: &[Scenario],
-    problems: &mut Problems,
-) {
+fn refuse_namesakes(arguments: &[Argument<'_>], scenarios: &[Scenario], problems: &mut Problems) {
     for (index, scenario) in scenarios.iter().enumerate() {
         if scenarios[..index]
             .iter()
             .any(|earlier| earlier.name == scenario.name)
         {
-            let argument = Argument::new(argument, &typed[index]);
+            let argument = arguments[index];
             let fault = Fault::Twice {
                 what: "scenario",
                 name: scenario.name.clone(),
@@ -142,10 +177,14 @@ pub fn default_system() -> Source {
     Source::new(format!("{DEFAULT_SYSTEM}.ron"), embedded::system())
 }
 
-/// A scenario by name or path.
-fn scenario_source(argument: Argument<'_>, problems: &mut Problems) -> Option<Source> {
+/// A scenario by name or path; `argument` is where errors say that it was named.
+pub fn scenario_source(
+    argument: Argument<'_>,
+    named: &str,
+    problems: &mut Problems,
+) -> Option<Source> {
     let known: Vec<&str> = embedded::names().collect();
-    source(argument, &known, problems)
+    source(argument, named, &known, problems)
 }
 
 /// A scenario or system by name or path.
@@ -154,11 +193,15 @@ pub fn any_source(argument: Argument<'_>, problems: &mut Problems) -> Option<Sou
         return Some(default_system());
     }
     let known: Vec<&str> = embedded::names().chain([DEFAULT_SYSTEM]).collect();
-    source(argument, &known, problems)
+    source(argument, argument.typed(), &known, problems)
 }
 
-fn source(argument: Argument<'_>, known: &[&str], problems: &mut Problems) -> Option<Source> {
-    let typed = argument.at(&argument.all());
+fn source(
+    argument: Argument<'_>,
+    typed: &str,
+    known: &[&str],
+    problems: &mut Problems,
+) -> Option<Source> {
     if let Some(text) = embedded::scenario(typed) {
         return Some(Source::new(format!("{typed}.ron"), text));
     }
@@ -179,13 +222,13 @@ fn source(argument: Argument<'_>, known: &[&str], problems: &mut Problems) -> Op
 }
 
 /// Whether a word is meant as a path: it has a folder or an ending, or there is such a file.
-fn is_path(typed: &str) -> bool {
+pub fn is_path(typed: &str) -> bool {
     typed.contains(['/', MAIN_SEPARATOR])
         || Path::new(typed).extension().is_some()
         || Path::new(typed).exists()
 }
 
-fn read(path: &str, problems: &mut Problems) -> Option<Source> {
+pub fn read(path: &str, problems: &mut Problems) -> Option<Source> {
     match fs::read_to_string(path) {
         Ok(text) => Some(Source::new(path, text)),
         Err(source) => {

@@ -68,7 +68,9 @@ impl Camera {
 #[derive(Clone, Copy, Debug)]
 pub struct Sector {
     eye: Point,
-    /// Where it looks.
+    /// [rad] where it looks ...
+    heading: f64,
+    /// ... as a direction.
     axis: (f64, f64),
     /// [-] cos(fov/2).
     edge: f64,
@@ -82,6 +84,7 @@ impl Sector {
         let (sin, cos) = pose.heading.sin_cos();
         Self {
             eye: pose.point(),
+            heading: pose.heading,
             axis: (cos, sin),
             edge: (camera.fov / 2.0).cos(),
             range_squared: camera.range * camera.range,
@@ -90,21 +93,40 @@ impl Sector {
 
     /// Moves it on to where the camera is now.
     pub fn move_to(&mut self, pose: Pose) {
-        let (sin, cos) = pose.heading.sin_cos();
-        (self.eye, self.axis) = (pose.point(), (cos, sin));
+        self.eye = pose.point();
+        if pose.heading != self.heading {
+            let (sin, cos) = pose.heading.sin_cos();
+            (self.heading, self.axis) = (pose.heading, (cos, sin));
+        }
     }
 
     /// Whether a point lies in it.
     pub fn holds(&self, point: Point) -> bool {
-        let (x, y) = (point.x - self.eye.x, point.y - self.eye.y);
+        self.holds_seen(self.seen(point))
+    }
+
+    /// Whether one of the [`Footprint::landmarks`] of a box does.
+    pub fn holds_any(&self, [centre, corners @ ..]: &[Point; 5]) -> bool {
+        let (x, y) = self.seen(*centre);
+        if self.holds_seen((x, y)) {
+            return true;
+        }
+        // All of a box that lies behind an eye with at most half a turn in view is out of view.
+        let corner = self.seen(corners[0]);
+        let reach = (corner.0 - x).abs() + (corner.1 - y).abs();
+        let behind = self.edge >= 0.0 && x * self.axis.0 + y * self.axis.1 < -reach;
+        !behind && corners.iter().any(|corner| self.holds(*corner))
+    }
+
+    /// A point as seen from the eye.
+    fn seen(&self, point: Point) -> (f64, f64) {
+        (point.x - self.eye.x, point.y - self.eye.y)
+    }
+
+    fn holds_seen(&self, (x, y): (f64, f64)) -> bool {
         let squared = x * x + y * y;
         squared <= self.range_squared
             && x * self.axis.0 + y * self.axis.1 >= squared.sqrt() * self.edge
-    }
-
-    /// Whether one of these points does.
-    pub fn holds_any(&self, points: &[Point]) -> bool {
-        points.iter().any(|point| self.holds(*point))
     }
 }
 

@@ -75,9 +75,9 @@ impl<'a> Corridor<'a> {
         }
     }
 
-    /// The one relation of an actor that keeps its offset for ever.
-    fn only_side(&self) -> Option<Side> {
-        match self.view.future.across {
+    /// The one relation of an actor that keeps its offset from t_0 on for ever; `index` is its piece at t_0.
+    fn only_side(&self, index: usize) -> Option<Side> {
+        match &self.view.future.across[index..] {
             [piece] if piece.d_rate == 0.0 && self.horizon > 0.0 => {
                 Some(self.side_at(piece.d - self.ego.1))
             }
@@ -96,7 +96,8 @@ impl<'a> Corridor<'a> {
     }
 
     /// Until when, and up to which piece, the offset from the ego's is such as `holds` wants it on all pieces from
-    /// `index` on, which starts at `end`. What holds at both ends of a piece must hold on it.
+    /// `index` on, which starts at `end`, or up to a block, which tells more. What holds at both ends of a piece must hold
+    /// on it.
     #[inline]
     fn lasting_from(
         &self,
@@ -107,6 +108,7 @@ impl<'a> Corridor<'a> {
         let (pieces, now) = (self.view.future.across, self.view.future.now);
         while let Some(piece) = pieces.get(index)
             && end < self.horizon
+            && !self.view.begins_across_block(index)
         {
             let next = pieces
                 .get(index + 1)
@@ -167,7 +169,7 @@ impl Walk {
     fn side(&self, corridor: &Corridor<'_>) -> (Side, f64, usize) {
         let (view, horizon) = (&corridor.view, corridor.horizon);
         let (body, lane) = (corridor.body, corridor.lane);
-        if let Some((block, next)) = view.across_block(self.index, self.time) {
+        for (block, next) in view.across_blocks(self.index, self.time) {
             let (right, left, end) = (
                 block.d_min - corridor.ego.1,
                 block.d_max - corridor.ego.1,
@@ -178,6 +180,9 @@ impl Walk {
             }
             if right > -body && left < body {
                 return (Side::Overlap, end, next);
+            }
+            if (right >= body && left < lane) || (left <= -body && right > -lane) {
+                return (Side::Close, end, next);
             }
         }
         let (piece, now) = (&view.future.across[self.index], view.future.now);
@@ -295,7 +300,7 @@ impl Spans {
     /// `None` where there is no conflict time.
     pub fn new(corridor: &Corridor<'_>) -> Option<Self> {
         let mut walk = Walk::new(corridor);
-        if let Some(side) = corridor.only_side() {
+        if let Some(side) = corridor.only_side(walk.index) {
             return Self::of_one(walk.judge(corridor, 0.0, corridor.horizon, side));
         }
         let span = walk.next(corridor)?;

@@ -12,8 +12,8 @@ use zhuyi_core::{Across, Along, Trajectory};
 /// Pieces per block along the road, from coarse to fine; each is a multiple of the next.
 pub(crate) const ALONG_BLOCKS: [usize; 2] = [64, 8];
 
-/// Pieces per block across the road.
-const ACROSS_BLOCK: usize = 16;
+/// Pieces per block across the road, from coarse to fine.
+const ACROSS_BLOCKS: [usize; 3] = [64, 16, 4];
 
 /// [m, m/s] added to errors for the rounding of the comparison itself.
 const ROUNDING: f64 = 1e-9;
@@ -42,7 +42,7 @@ pub(crate) struct AcrossBlock {
 pub struct Recording {
     trajectory: Trajectory,
     along: [Vec<AlongBlock>; ALONG_BLOCKS.len()],
-    across: Vec<AcrossBlock>,
+    across: [Vec<AcrossBlock>; ACROSS_BLOCKS.len()],
 }
 
 impl Recording {
@@ -50,9 +50,10 @@ impl Recording {
     pub fn new(trajectory: Trajectory) -> Self {
         let along =
             ALONG_BLOCKS.map(|size| blocks(&trajectory.along, size).map(along_block).collect());
-        let across = blocks(&trajectory.across, ACROSS_BLOCK)
-            .map(across_block)
-            .collect();
+        let across = ACROSS_BLOCKS.map(|size| {
+            let blocks = blocks(&trajectory.across, size);
+            blocks.map(across_block).collect()
+        });
         Self {
             trajectory,
             along,
@@ -70,7 +71,7 @@ impl Recording {
         View {
             future: Future::new(&self.trajectory, now),
             along,
-            across: &self.across,
+            across: self.across.each_ref().map(Vec::as_slice),
         }
     }
 }
@@ -80,7 +81,7 @@ impl Recording {
 pub(crate) struct View<'a> {
     pub future: Future<'a>,
     pub along: [&'a [AlongBlock]; ALONG_BLOCKS.len()],
-    across: &'a [AcrossBlock],
+    across: [&'a [AcrossBlock]; ACROSS_BLOCKS.len()],
 }
 
 impl<'a> View<'a> {
@@ -88,16 +89,35 @@ impl<'a> View<'a> {
         Self {
             future,
             along: [&[]; ALONG_BLOCKS.len()],
-            across: &[],
+            across: [&[]; ACROSS_BLOCKS.len()],
         }
     }
 
-    /// The offsets from `time` to the end of the block of a piece, and the piece behind that.
-    pub fn across_block(&self, index: usize, time: f64) -> Option<(&AcrossBlock, usize)> {
-        let block = self.across.get(index / ACROSS_BLOCK)?;
-        // Before the list begins its first piece is extended backwards, the block is not.
-        (block.start <= time + self.future.now)
-            .then_some((block, (index / ACROSS_BLOCK + 1) * ACROSS_BLOCK))
+    /// Whether a block across the road begins with this piece.
+    #[inline]
+    pub fn begins_across_block(&self, index: usize) -> bool {
+        let ([.., finest], [.., size]) = (self.across, ACROSS_BLOCKS);
+        index.is_multiple_of(size) && index / size < finest.len()
+    }
+
+    /// The offsets from `time` to the end of each block of a piece, the longest first, and the piece behind that block.
+    /// Later than at t_0 only the blocks that begin with the piece: the others have been offered.
+    #[inline]
+    pub fn across_blocks(
+        &self,
+        index: usize,
+        time: f64,
+    ) -> impl Iterator<Item = (&'a AcrossBlock, usize)> {
+        let at = time + self.future.now;
+        let levels = self.across.into_iter().zip(ACROSS_BLOCKS);
+        levels.filter_map(move |(blocks, size)| {
+            if !index.is_multiple_of(size) && time > 0.0 {
+                return None;
+            }
+            let block = blocks.get(index / size)?;
+            // Before the list begins its first piece is extended backwards, the block is not.
+            (block.start <= at).then_some((block, (index / size + 1) * size))
+        })
     }
 }
 

@@ -7,6 +7,9 @@
 //!  Plan ──▶ [beyond]: the estimator's options beyond the paper ──▶ beyond.md, lines for figures
 //!  Plan ──▶ [robustness]: one thing changed at a time, fresh seeds ──▶ robustness.md
 //!  batch::Plan ──▶ [batch]: any parameter varied, in blocks that survive a kill ──▶ plan.json, blocks/, runs.csv
+//!  Trials ──▶ [shares]: the share of collisions at each rate, with its interval ──▶ `zhuyi mrf`
+//!  Mapping ──▶ [maps]: the rate and one other choice ──▶ map.md, map.csv, lines for figures
+//!  Boundary ──▶ [boundary]: the MRF over a free choice, drives put on the border ──▶ boundary.md, boundary.csv
 //!  PerCamera ──▶ [per_camera]: a rate of its own for each camera ──▶ mrf_per_camera.md, mrf_per_camera.csv
 //!  Allocating ──▶ [allocate]: policies under budgets on the same drives ──▶ allocation.md, allocation.csv
 //!  Plan ──▶ [course], [foresight], [sensitivity], [throughput]: claims 5 to 9 ──▶ claims.md, numbers for figures
@@ -23,17 +26,22 @@
 pub mod allocate;
 pub mod batch;
 pub mod beyond;
+pub mod boundary;
 #[doc = include_str!("calibration.md")]
 pub mod calibration {}
+pub mod choice;
 pub mod claims;
+pub mod columns;
 pub mod committed;
 pub mod compare;
 pub mod course;
 pub mod diff;
 pub mod error;
 pub mod estimators;
+pub mod evidence;
 pub mod foresight;
 pub mod manifest;
+pub mod maps;
 pub mod mrf;
 pub mod paper;
 pub mod per_camera;
@@ -44,8 +52,11 @@ pub mod reruns;
 pub mod results;
 pub mod robustness;
 pub mod runs;
+pub mod schema;
 pub mod sensitivity;
+pub mod shares;
 pub mod statistics;
+pub mod strata;
 pub mod summary;
 pub mod sweep;
 pub mod table;

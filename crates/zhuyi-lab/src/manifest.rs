@@ -2,10 +2,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use schemars::JsonSchema;
 use serde::Serialize;
+use serde_json::Value;
 use zhuyi_scenario::Source;
 
+use crate::batch::SCHEMA;
 use crate::reproduce::Plan;
+use crate::schema;
 
 /// The lock file of the workspace at build time.
 const LOCK: &str = include_str!("../../../Cargo.lock");
@@ -13,32 +17,54 @@ const LOCK: &str = include_str!("../../../Cargo.lock");
 /// The crate whose dependencies do the computing.
 const COMPUTING: &str = "zhuyi-sim";
 
-#[derive(Serialize)]
+/// `manifest.json`.
+#[derive(Serialize, JsonSchema)]
 struct Manifest<'a> {
+    /// `zhuyi`.
     program: &'static str,
+    /// Its version.
     version: &'static str,
+    /// Version of this file and of the columns of `runs.csv`.
+    schema: u32,
+    /// The command that makes the results again.
     command: String,
+    /// Root of all randomness.
     root_seed: u64,
+    /// How many seeds: 0, 1, ..
     seeds: u64,
+    /// [Hz] rates of all cameras.
     rates_hz: &'a [u32],
+    /// The scenarios.
     scenarios: Vec<File<'a>>,
+    /// The system.
     system: System<'a>,
     /// Crates that a run computes with, and their versions.
     crates: BTreeMap<&'static str, String>,
 }
 
-#[derive(Serialize)]
+/// A file.
+#[derive(Serialize, JsonSchema)]
 struct File<'a> {
+    /// Its name, without folder and ending.
     name: &'a str,
+    /// BLAKE3 of its text.
     blake3: String,
 }
 
-#[derive(Serialize)]
+/// A system file.
+#[derive(Serialize, JsonSchema)]
 struct System<'a> {
+    /// Its name, without folder and ending.
     name: &'a str,
+    /// BLAKE3 of its text.
     blake3: String,
     /// Every parameter as it was used, line by line.
     resolved: Vec<String>,
+}
+
+/// What `manifest.json` is made of, as JSON Schema.
+pub fn schema() -> Value {
+    schema::document::<Manifest<'_>>("manifest", SCHEMA)
 }
 
 /// The manifest of a plan.
@@ -48,6 +74,7 @@ pub fn json(plan: &Plan) -> String {
     let manifest = Manifest {
         program: "zhuyi",
         version: env!("CARGO_PKG_VERSION"),
+        schema: SCHEMA,
         command: plan.command(),
         root_seed: plan.root_seed,
         seeds: plan.seeds,

@@ -20,6 +20,7 @@ use crate::results::Results;
 use crate::statistics::wilson_interval;
 use crate::sweep::{Experiment, grid};
 use crate::text::{cells, markdown_table};
+pub(crate) use variations::scaled;
 use variations::{Variation, variations};
 
 /// How many blocks of fresh seeds are run.

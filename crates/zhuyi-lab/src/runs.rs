@@ -1,9 +1,13 @@
-//! `runs.csv`: one row per run, with the command that replays it. An empty field says that there is no such figure.
+//! `runs.csv`: one row per run, with the command that replays it. An empty field says that there is no such figure. What the
+//! columns are is told by `described`, from which the header is made.
+
+mod described;
 
 use zhuyi_estimator::grid::MAX_FPR;
 use zhuyi_scenario::System;
 use zhuyi_world::Side;
 
+use crate::columns::{Column, Table};
 use crate::estimators::TABLE;
 use crate::rates::spelt;
 use crate::sweep::{Cell, Experiment, Record};
@@ -73,21 +77,23 @@ pub fn csv_typed(
     text
 }
 
+pub(crate) use described::{NAMED_BY, OUTCOME};
+
 /// The columns of a table of runs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Columns {
     /// The names of the cameras, in the order of the rig.
     pub(crate) cameras: Vec<String>,
     /// What differs from run to run besides the scenario, the rates and the seed.
-    pub(crate) varied: Vec<String>,
-    /// Whether there is a column that says why a run could not be made.
-    pub(crate) reason: bool,
+    pub(crate) varied: Vec<Column>,
+    /// Whether it is of a sweep: all cameras have one rate, and there is a column that says why a run could not be made.
+    pub(crate) of_sweep: bool,
 }
 
-/// The columns by which a run is named, before those of what is varied.
-pub(crate) const NAMED_BY: [&str; 4] = ["scenario", "part", "fpr_hz", "seed"];
-/// The column behind those.
-pub(crate) const OUTCOME: &str = "outcome";
+/// The table of `zhuyi reproduce` for a system; that of a sweep is [`batch::table`](crate::batch::table).
+pub fn table(system: &System) -> Table {
+    Columns::of(system).table()
+}
 
 impl Columns {
     /// The columns for the cameras of a system.
@@ -96,43 +102,13 @@ impl Columns {
         Self {
             cameras: eyes.map(|eye| eye.camera.name.clone()).collect(),
             varied: Vec::new(),
-            reason: false,
+            of_sweep: false,
         }
     }
 
     fn names(&self) -> Vec<String> {
-        let collision = [
-            "collision_time_s",
-            "collision_actor",
-            "collision_side",
-            "impact_speed_mps",
-            "ego_delta_v_mps",
-            "actor_delta_v_mps",
-        ];
-        let extremes = [
-            "duration_s",
-            "smallest_gap_m",
-            "smallest_ttc_s",
-            "hardest_braking_mps2",
-        ];
-        let demands = [
-            "largest_estimate_fpr",
-            "largest_sum_fpr",
-            "beyond_grid",
-            "unavoidable",
-            "alongside",
-        ];
-        let mut names: Vec<String> = NAMED_BY.map(String::from).into();
-        names.extend(self.varied.iter().cloned());
-        names.push(OUTCOME.to_string());
-        names.extend(collision.into_iter().chain(extremes).map(String::from));
-        names.extend(self.cameras.iter().map(|name| format!("{name}_frames")));
-        let shares = self.cameras.iter();
-        names.extend(shares.map(|name| format!("{name}_share_of_30fpr")));
-        names.extend(demands.map(String::from));
-        names.extend(self.reason.then(|| "reason".to_string()));
-        names.push("replay".to_string());
-        names
+        let columns = self.described().into_iter();
+        columns.map(|column| column.name.into_owned()).collect()
     }
 
     /// The header.
@@ -167,7 +143,7 @@ impl Columns {
         fields.extend(collision_fields(experiment, record));
         fields.extend(figures(record));
         fields.extend(demand_fields(record));
-        fields.extend(self.reason.then(String::new));
+        fields.extend(self.of_sweep.then(String::new));
         fields.push(typed.replay(experiment, cell));
         csv_row(fields.iter().map(String::as_str))
     }

@@ -47,12 +47,12 @@ pub struct Measurement {
 }
 
 impl Measurement {
-    /// The measured entries with their variances: place in the state, value, variance.
-    fn entries(&self) -> [(usize, f64, f64); 2] {
+    /// The measured entries, position and speed, with their variances.
+    fn entries(&self) -> [(f64, f64); 2] {
         let variance = |deviation: f64| deviation.max(LEAST_DEVIATION).powi(2);
         [
-            (0, self.position, variance(self.position_deviation)),
-            (1, self.speed, variance(self.speed_deviation)),
+            (self.position, variance(self.position_deviation)),
+            (self.speed, variance(self.speed_deviation)),
         ]
     }
 }
@@ -69,7 +69,7 @@ pub struct Axis {
 impl Axis {
     /// After the first measurement: no acceleration, within [`FIRST_ACCEL_DEVIATION`].
     pub fn start(measured: &Measurement) -> Self {
-        let [(_, position, position_variance), (_, speed, speed_variance)] = measured.entries();
+        let [(position, position_variance), (speed, speed_variance)] = measured.entries();
         Self {
             mean: Vector3::new(position, speed, 0.0),
             covariance: Matrix3::from_diagonal(&Vector3::new(
@@ -125,33 +125,41 @@ impl Axis {
 
     /// Takes a measurement of the present instant.
     pub fn measure(&mut self, measured: &Measurement) {
-        for (entry, value, variance) in measured.entries() {
-            let p = &self.covariance;
-            let gain: Vector3<f64> = p.column(entry) / (p[(entry, entry)] + variance);
-            self.mean += gain * (value - self.mean[entry]);
-            // I - k e_iᵀ differs from I in one column alone.
-            let kept = |whole: f64, place: usize, measured: f64| {
-                if place == entry {
-                    measured * (1.0 - gain[entry])
-                } else {
-                    whole - measured * gain[place]
-                }
-            };
-            let left = Matrix3::from_fn(|r, c| kept(p[(r, c)], r, p[(entry, c)]));
-            self.covariance = Matrix3::from_fn(|r, c| {
-                kept(left[(r, c)], c, left[(r, entry)]) + gain[r] * gain[c] * variance
-            });
-        }
+        let [position, speed] = measured.entries();
+        self.take::<0>(position);
+        self.take::<1>(speed);
+    }
+
+    /// Takes one measured entry and its variance.
+    fn take<const ENTRY: usize>(&mut self, (value, variance): (f64, f64)) {
+        let p = &self.covariance;
+        let gain: Vector3<f64> = p.column(ENTRY) / (p[(ENTRY, ENTRY)] + variance);
+        self.mean += gain * (value - self.mean[ENTRY]);
+        // I - k e_iᵀ differs from I in one column alone.
+        let kept = |whole: f64, place: usize, measured: f64| {
+            if place == ENTRY {
+                measured * (1.0 - gain[ENTRY])
+            } else {
+                whole - measured * gain[place]
+            }
+        };
+        let left = Matrix3::from_fn(|r, c| kept(p[(r, c)], r, p[(ENTRY, c)]));
+        self.covariance = Matrix3::from_fn(|r, c| {
+            kept(left[(r, c)], c, left[(r, ENTRY)]) + gain[r] * gain[c] * variance
+        });
     }
 
     /// [m] standard deviation of the position after `time` [s] without a measurement, as [`Axis::predict`] has it.
     pub fn deviation_after(&self, time: f64, jerk_density: f64) -> f64 {
-        self.predict(time, jerk_density).deviation()
-    }
-
-    /// [m] standard deviation of the position.
-    pub fn deviation(&self) -> f64 {
-        self.covariance[(0, 0)].sqrt()
+        let (t, h, p) = (time, time * time / 2.0, &self.covariance);
+        let top = |p0: f64, p1: f64, p2: f64| p0 + t * p1 + h * p2;
+        let first_row = (
+            top(p.m11, p.m21, p.m31),
+            top(p.m12, p.m22, p.m32),
+            top(p.m13, p.m23, p.m33),
+        );
+        let variance = top(first_row.0, first_row.1, first_row.2) + h * h * (jerk_density * t);
+        variance.sqrt()
     }
 }
 
@@ -171,7 +179,7 @@ mod tests {
         let g = Vector3::new(t * t / 2.0, t, 1.0);
         let mut x = f * axis.mean;
         let mut p = f * axis.covariance * f.transpose() + g * g.transpose() * (jerk_density * t);
-        for (entry, value, variance) in measured.entries() {
+        for (entry, (value, variance)) in measured.entries().into_iter().enumerate() {
             let k = p.column(entry) / (p[(entry, entry)] + variance);
             x += k * (value - x[entry]);
             let mut keep = Matrix3::identity();
@@ -198,7 +206,9 @@ mod tests {
             let k = f64::from(step);
             let (time, jerk_density) = (0.01 * (1.0 + k % 97.0), 0.1 * (k % 5.0));
             let plain = plainly(&axis, time, jerk_density, &measured(k));
+            let deviation = axis.deviation_after(time, jerk_density);
             axis = axis.predict(time, jerk_density);
+            assert_eq!(deviation, axis.covariance[(0, 0)].sqrt(), "step {step}");
             axis.measure(&measured(k));
             assert_eq!(axis, plain, "step {step}");
         }

@@ -32,6 +32,9 @@ use crate::sight::View;
 use crate::stream::{Fortune, Purpose};
 use crate::{Clock, Eye, Perception};
 
+/// Frames in flight of each camera for which there is room from the start.
+const ROOM: usize = 8;
+
 /// The cameras of the ego, with their frames in flight.
 #[derive(Clone, Debug)]
 pub struct Eyes {
@@ -78,12 +81,16 @@ impl Eyes {
             // Every purpose has a stream of its own, so that none which is not drawn moves another.
             let drawn = || draws(Purpose::Phase(camera)).random();
             let phase = params.eyes[camera.index()].phase.unwrap_or_else(drawn);
+            let phase = match params.phase_shift {
+                0.0 => phase,
+                shift => (phase + shift).fract(),
+            };
             let mut where_on = |on: bool, purpose| on.then(|| draws(purpose));
             Shutter {
                 clock: Clock::new(rates.of(camera), phase),
                 lateness: where_on(params.latency_jitter > 0.0, Purpose::Latency(camera)),
                 loss: where_on(params.drop_rate > 0.0, Purpose::Loss(camera)),
-                view: View::default(),
+                view: View::with_room(start.actors.len()),
                 fortunes: actors
                     .map(|actor| Fortune::new(draws(Purpose::Detection(camera, actor))))
                     .collect(),
@@ -97,9 +104,9 @@ impl Eyes {
         Self {
             shutters: shutters.collect(),
             params: params.clone(),
-            in_flight: Vec::new(),
+            in_flight: Vec::with_capacity(ROOM * params.eyes.len()),
             scene: start.clone(),
-            spare: Vec::new(),
+            spare: Vec::with_capacity(ROOM * params.eyes.len()),
         }
     }
 
@@ -161,7 +168,8 @@ impl Eyes {
             shutter.exposed += 1;
             evaluate(exposed, &mut self.scene);
             let (scene, miss_rate) = (&self.scene, self.params.miss_rate);
-            let list = self.spare.pop().unwrap_or_default();
+            let list = self.spare.pop();
+            let list = list.unwrap_or_else(|| Vec::with_capacity(scene.actors.len()));
             // A picture that is lost uses up its luck with the actors, as if it were not.
             let detections = shutter.detections(eye, &self.params, miss_rate, scene, list);
             if shutter.loses(self.params.drop_rate) {

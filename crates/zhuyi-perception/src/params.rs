@@ -20,6 +20,8 @@ pub struct Eye {
 pub struct Perception {
     /// The rig.
     pub eyes: Vec<Eye>,
+    /// [-] share of its period by which each camera first exposes later than its phase says, going round.
+    pub phase_shift: f64,
     /// [-] smallest share of its angular width that must not be hidden for a body to be detected (reading R17).
     pub visible_share: f64,
     /// [m] standard deviation of a measured `s`.

@@ -38,14 +38,27 @@ pub struct View {
     /// Sine and cosine of half of it.
     half_fov: (f64, f64),
     range: f64,
+    field: Field,
     boxes: Vec<(Footprint, Pose)>,
     silhouettes: Vec<Silhouette>,
-    /// Of all boxes once they are asked for; empty before.
-    outlines: Vec<Outline>,
+    /// Of the boxes that have been asked for.
+    outlines: Vec<Option<Outline>>,
     shadows: Vec<(f64, f64)>,
 }
 
 impl View {
+    /// A view with room for so many boxes.
+    pub(crate) fn with_room(boxes: usize) -> Self {
+        Self {
+            boxes: Vec::with_capacity(boxes),
+            silhouettes: Vec::with_capacity(boxes),
+            outlines: Vec::with_capacity(boxes),
+            // Up to three of every other box, and three of the edge of the field.
+            shadows: Vec::with_capacity(3 * boxes),
+            ..Self::default()
+        }
+    }
+
     /// Looks through `camera` at the actors of `scene`, which keep their places.
     pub fn look(&mut self, camera: &Camera, scene: &Scene) {
         let boxes = scene.actors.iter().map(|body| (body.footprint, body.pose));
@@ -59,19 +72,31 @@ impl View {
         ego: Pose,
         boxes: impl IntoIterator<Item = (Footprint, Pose)>,
     ) {
+        self.aim(camera, ego);
+        self.find(boxes);
+    }
+
+    /// Aims `camera` of an ego at `ego`, at no boxes yet.
+    pub(crate) fn aim(&mut self, camera: &Camera, ego: Pose) {
         if self.fov != camera.fov {
             self.fov = camera.fov;
             self.half_fov = (camera.fov / 2.0).sin_cos();
         }
         self.eye = camera.pose(ego);
         self.range = camera.range;
+        self.field = Field::new(&Axes::new(self.eye), self.half_fov);
+    }
+
+    /// Puts these boxes, in their places, where it has been aimed.
+    pub(crate) fn find(&mut self, boxes: impl IntoIterator<Item = (Footprint, Pose)>) {
         self.boxes.clear();
         self.boxes.extend(boxes);
-        let field = Field::new(&Axes::new(self.eye), self.half_fov);
+        let field = self.field;
         let silhouette = |&(footprint, pose): &_| field.silhouette(footprint, pose);
         self.silhouettes.clear();
         self.silhouettes.extend(self.boxes.iter().map(silhouette));
         self.outlines.clear();
+        self.outlines.resize(self.boxes.len(), None);
     }
 
     /// Whether the box at this place is in range and at least `least_share` of it is visible; with a least share of 0,
@@ -82,8 +107,7 @@ impl View {
     }
 
     fn sees_by_angles(&mut self, which: usize, least_share: f64) -> bool {
-        self.outline();
-        let body = self.outlines[which];
+        let body = self.outline(which);
         if body.distance > self.range {
             return false;
         }
@@ -94,18 +118,14 @@ impl View {
         }
     }
 
-    /// Makes the outlines of all boxes, if they are not made yet.
-    fn outline(&mut self) {
-        if self.outlines.is_empty() {
-            let outline = |&(footprint, pose): &_| Outline::new(self.eye, footprint, pose);
-            self.outlines.extend(self.boxes.iter().map(outline));
-        }
+    fn outline(&mut self, which: usize) -> Outline {
+        let (footprint, pose) = self.boxes[which];
+        *self.outlines[which].get_or_insert_with(|| Outline::new(self.eye, footprint, pose))
     }
 
     /// [-] the visible share of the box at this place, in range or not.
     pub fn share(&mut self, which: usize) -> f64 {
-        self.outline();
-        let body = self.outlines[which];
+        let body = self.outline(which);
         let width = body.left - body.right;
         let half_fov = self.fov / 2.0;
         self.shadows.clear();
@@ -114,15 +134,17 @@ impl View {
         if self.shadows.iter().any(|(from, to)| to - from >= width) {
             return 0.0; // out of view: who else is there does not matter
         }
-        for (index, other) in self.outlines.iter().enumerate() {
-            if index != which {
-                let offset = other.bearing - body.bearing;
-                let overlaps = body.overlaps((offset + other.right, offset + other.left));
-                self.shadows.extend(overlaps.filter(|&(from, to)| {
-                    let ray = body.bearing + f64::midpoint(from, to);
-                    other.entry(ray) < body.entry(ray)
-                }));
+        for index in 0..self.boxes.len() {
+            if index == which || self.silhouettes[index].spares(&self.silhouettes[which]) {
+                continue;
             }
+            let other = self.outline(index);
+            let offset = other.bearing - body.bearing;
+            let overlaps = body.overlaps((offset + other.right, offset + other.left));
+            self.shadows.extend(overlaps.filter(|&(from, to)| {
+                let ray = body.bearing + f64::midpoint(from, to);
+                other.entry(ray) < body.entry(ray)
+            }));
         }
         (width - covered(&mut self.shadows)) / width.min(self.fov)
     }

@@ -116,6 +116,20 @@ pub(crate) enum Silhouette {
     Before(Angle),
 }
 
+impl Silhouette {
+    /// Whether this box surely hides nothing of another that is in view.
+    pub fn spares(&self, body: &Self) -> bool {
+        match (self, body) {
+            (Self::Before(other), Self::Before(body)) => {
+                further(other.nearest, body.furthest) || body.is_apart_from(other)
+            }
+            // What it hides is out of view already.
+            (Self::OutOfView, _) => true,
+            _ => false,
+        }
+    }
+}
+
 /// The angle that a box fills, and how far away it is.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Angle {
@@ -177,19 +191,15 @@ pub(crate) fn sees(
     if least_share <= 0.0 {
         return Some(true);
     }
-    let others = silhouettes.iter().enumerate();
-    for (_, other) in others.filter(|(place, _)| *place != which) {
-        match other {
-            Silhouette::OutOfView => {}
-            Silhouette::Open => return None,
-            Silhouette::Before(other) => {
-                if further(other.nearest, body.furthest) || body.is_apart_from(other) {
-                    continue;
-                }
-                let nothing_will_do = least_share > MARGIN && body.is_hidden_by(other);
-                return nothing_will_do.then_some(false);
-            }
+    for (place, other) in silhouettes.iter().enumerate() {
+        if place == which || other.spares(&silhouettes[which]) {
+            continue;
         }
+        let hides = match other {
+            Silhouette::Before(other) => least_share > MARGIN && body.is_hidden_by(other),
+            _ => false,
+        };
+        return hides.then_some(false);
     }
     Some(least_share <= 1.0)
 }

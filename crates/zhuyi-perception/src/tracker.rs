@@ -19,7 +19,7 @@
 //! would lose everything (reading R16). Losing an actor that was never confirmed discards its filter and keeps its
 //! counts.
 
-use zhuyi_core::{ActorId, Camera, Detection, Frame, Road, SimTime, Track};
+use zhuyi_core::{ActorId, Detection, Frame, Road, SimTime, Track};
 
 use crate::Perception;
 use crate::belief::Belief;
@@ -85,7 +85,7 @@ impl Tracker {
             ],
             params: params.clone(),
             tracks: Vec::with_capacity(actors),
-            views: vec![View::default(); params.eyes.len()],
+            views: params.eyes.iter().map(|_| View::with_room(1)).collect(),
         }
     }
 
@@ -103,6 +103,8 @@ impl Tracker {
     /// Processes a frame. Frames come in the order in which they became ready.
     pub fn update(&mut self, frame: &Frame, road: &Road) {
         let camera = frame.camera.index();
+        let view = &mut self.views[camera];
+        view.aim(&self.params.eyes[camera].camera, frame.ego);
         for (index, file) in self.files.iter_mut().enumerate() {
             let actor = ActorId(index as u32);
             if let Some(detection) = frame.detections.iter().find(|found| found.actor == actor) {
@@ -114,8 +116,7 @@ impl Tracker {
             }
             file.counts[camera].found = 0;
             if let Some(belief) = &file.belief {
-                let eye = &self.params.eyes[camera].camera;
-                let expected = should_see(&mut self.views[camera], eye, frame, belief, road);
+                let expected = should_see(view, frame.exposed, belief, road);
                 file.miss(camera, expected, self.params.lost_frames);
             }
         }
@@ -181,15 +182,9 @@ impl File {
     }
 }
 
-/// Whether a camera has the whole box that is believed in before it, in a frame.
-fn should_see(
-    view: &mut View,
-    camera: &Camera,
-    frame: &Frame,
-    belief: &Belief,
-    road: &Road,
-) -> bool {
-    let pose = road.world_from_road(belief.place(frame.exposed));
-    view.look_at_boxes(camera, frame.ego, [(belief.footprint(), pose)]);
+/// Whether a camera has the whole box that is believed in before it, when it exposes.
+fn should_see(view: &mut View, exposed: SimTime, belief: &Belief, road: &Road) -> bool {
+    let pose = road.world_from_road(belief.place(exposed));
+    view.find([(belief.footprint(), pose)]);
     view.sees(0, WHOLE)
 }

@@ -33,7 +33,7 @@ impl<'a> Planner<'a> {
             driver: params.driver(desired_speed),
             path,
             hard: Latch::default(),
-            in_the_way: Vec::new(),
+            in_the_way: Vec::with_capacity(16),
         }
     }
 

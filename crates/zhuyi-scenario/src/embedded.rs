@@ -52,6 +52,11 @@ pub fn system() -> &'static str {
     include_str!("../../../scenarios/system/default.ron")
 }
 
+/// A commented plan of a sweep to start from.
+pub fn plan() -> &'static str {
+    include_str!("../../../scenarios/plans/faster-cutter.ron")
+}
+
 /// A commented scenario to start from.
 pub fn template() -> &'static str {
     include_str!("template.ron")

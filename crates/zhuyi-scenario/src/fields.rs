@@ -1,6 +1,6 @@
 //! The fields of a struct or variant. Those that nobody asks for are unknown.
 
-use crate::invalid::Rule;
+use crate::invalid::{Invalid, Rule};
 use crate::limits::Limits;
 use crate::node::Node;
 use crate::suggestion::did_you_mean;
@@ -139,6 +139,13 @@ impl<'a> Fields<'a> {
     /// Reports something about the struct as a whole.
     pub(crate) fn refuse(&self, rule: impl Into<Rule>) {
         self.node.refuse_whole(rule);
+    }
+
+    /// Reports what something else has found in one of them.
+    pub(crate) fn report(&self, invalid: &Invalid) {
+        for violation in invalid.violations() {
+            self.node.take_down(violation.clone());
+        }
     }
 
     /// Reports fields that are given twice, that nobody asked for, and that are missing; a missing one for which an

@@ -1,4 +1,4 @@
-//! From file to meaning: scenario and system files, checked, in SI.
+//! From file to meaning: scenario and system files, checked, in SI; and plans of sweeps.
 //!
 //! ```text
 //!  cut-in.ron ── Source ─┐                               ┌─▶ Scenario   road, ego's start, actors
@@ -11,6 +11,7 @@
 //! - A [`Setting`] is one value from elsewhere, by the path of the field that it stands above.
 //! - [`Invalid`] holds everything that is wrong and draws it with carets.
 //! - [`Scenario::to_ron`] and [`System::to_ron`] write files in which nothing is left to defaults.
+//! - [`Plan`] is what a file says of a sweep, each part with its place.
 //! - [`embedded`] holds the scenarios and the system that come with the program.
 //!
 //! **Why not serde's derive.** It stops at the first error and hands on no positions, and a file is to be told all of
@@ -28,6 +29,12 @@
 //!
 //! ```ron
 #![doc = include_str!("../../../scenarios/system/default.ron")]
+//! ```
+//!
+//! # A plan of a sweep
+//!
+//! ```ron
+#![doc = include_str!("../../../scenarios/plans/faster-cutter.ron")]
 //! ```
 //!
 //! # What is wrong with one
@@ -56,6 +63,7 @@ mod invalid;
 mod limits;
 mod load;
 mod node;
+mod plan;
 mod read;
 mod reading;
 mod show;
@@ -67,5 +75,6 @@ pub use conflict::Conflict;
 pub use invalid::{Invalid, Rule, Violation};
 pub use load::load;
 pub use model::{EgoStart, Jitter, Online, Scenario, System};
+pub use plan::{Piece, Plan, Values, Varied};
 pub use source::{Kind, Setting, Source};
 pub use suggestion::did_you_mean;

@@ -5,6 +5,7 @@
 use crate::fields::Fields;
 use crate::invalid::{Rule, Violation};
 use crate::limits::Limits;
+use crate::plan::Piece;
 use crate::reading::{Reading, join};
 use crate::source::Source;
 use crate::syntax::{self, Parts};
@@ -101,7 +102,12 @@ impl<'a> Node<'a> {
     }
 
     fn report(&self, span: Range<usize>, rule: Rule) {
-        self.reading.report(Violation::new(self.source, span, rule));
+        self.take_down(Violation::new(self.source, span, rule));
+    }
+
+    /// Reports what something else has found in the same text.
+    pub(crate) fn take_down(&self, violation: Violation) {
+        self.reading.report(violation);
     }
 
     /// Reports that it is not what was expected, and gives up on what it holds.
@@ -195,6 +201,28 @@ impl<'a> Node<'a> {
                 self.mismatch("one line of text")
             }
         })
+    }
+
+    /// All of it, which must stand on one line.
+    pub(crate) fn one_line(&self) -> Option<Piece> {
+        if self.value.contains(['\n', '\r']) {
+            self.mismatch("a value on one line")
+        } else {
+            Some(Piece::new(self.source, self.source.span_of(self.value)))
+        }
+    }
+
+    /// Its text where that stands between the quotes as it is meant: on one line, and without escapes.
+    pub(crate) fn words(&self) -> Option<Piece> {
+        let text = self.text()?;
+        let inside = self.value.find('"').map_or(0, |quote| quote + 1);
+        let rest = self.value.get(inside..).unwrap_or("");
+        let is_plain = rest.strip_prefix(text.as_str());
+        if is_plain.is_none_or(|rest| !rest.starts_with('"')) || text.contains(['\n', '\r']) {
+            return self.mismatch("one line of text without escapes");
+        }
+        let span = self.source.span_of(&rest[..text.len()]);
+        Some(Piece::new(self.source, span))
     }
 
     /// Its truth value.

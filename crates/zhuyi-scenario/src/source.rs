@@ -70,26 +70,28 @@ impl Source {
     }
 }
 
-/// One of the two kinds of file.
+/// One of the three kinds of file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Road, ego's start, actors.
     Scenario,
     /// The ego's hardware and software.
     System,
+    /// What a sweep is made of.
+    Plan,
 }
 
 impl Kind {
-    /// What a source looks like: a system when any of its fields is one of a system's.
+    /// What a source looks like: a plan or a system when any of its fields is one of those.
     pub fn of(source: &Source) -> Self {
         let parts = syntax::root(source, 0).ok().and_then(Parts::of);
-        let is_system = parts.is_some_and(|parts| {
-            parts
-                .fields
-                .iter()
-                .any(|(key, _)| SYSTEM_FIELDS.contains(key))
-        });
-        if is_system {
+        let has_any_of = |names: &[&str]| {
+            let mut fields = parts.iter().flat_map(|parts| &parts.fields);
+            fields.any(|(key, _)| names.contains(key))
+        };
+        if has_any_of(&PLAN_FIELDS) {
+            Self::Plan
+        } else if has_any_of(&SYSTEM_FIELDS) {
             Self::System
         } else {
             Self::Scenario
@@ -109,6 +111,20 @@ pub(crate) const SYSTEM_FIELDS: [&str; 8] = [
     "compute",
     "online",
     "jitter",
+];
+
+/// Names of the fields at the top of a plan. No other file has any of them.
+const PLAN_FIELDS: [&str; 10] = [
+    "scenarios",
+    "system",
+    "set",
+    "fpr",
+    "seeds",
+    "root_seed",
+    "vary",
+    "where",
+    "samples",
+    "sampling",
 ];
 
 /// `path=value`: one value of a scenario or system file given elsewhere, as by `--set planner.time_headway_s=1.2`.
@@ -156,7 +172,16 @@ impl Setting {
         };
         let path = source.span_of(text[..equals].trim());
         let value = source.span_of(syntax::root(&source, equals + 1)?);
-        let top = &text[path.start..path.end];
+        Self::at(&source, path, value)
+    }
+
+    /// A setting whose path and value stand somewhere in a source.
+    pub(crate) fn at(
+        source: &Source,
+        path: Range<usize>,
+        value: Range<usize>,
+    ) -> Result<Self, Invalid> {
+        let top = &source.text()[path.clone()];
         let top = top.split_once('.').map_or(top, |(top, _)| top);
         let kind = if SCENARIO_FIELDS.contains(&top) {
             Kind::Scenario
@@ -165,17 +190,18 @@ impl Setting {
         } else {
             let known = SCENARIO_FIELDS.into_iter().chain(SYSTEM_FIELDS);
             let rule = Rule::unknown("setting", top, known);
-            return Err(Violation::new(&source, path.start..path.start + top.len(), rule).into());
+            let span = path.start..path.start + top.len();
+            return Err(Violation::new(source, span, rule).into());
         };
         Ok(Self {
-            source,
+            source: source.clone(),
             path,
             value,
             kind,
         })
     }
 
-    /// Which kind of file it belongs to.
+    /// Which kind of file it belongs to; never a plan.
     pub fn kind(&self) -> Kind {
         self.kind
     }

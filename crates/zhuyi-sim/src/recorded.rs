@@ -57,11 +57,14 @@ fn future(trace: &Trace, actor: usize) -> Trajectory {
         .last()
         .unwrap_or_else(|| unreachable!("a trace has at least its first row"));
     along.push(Along::constant_accel(end, last.road.s, last.s_rate, 0.0));
-    across.push(Across {
-        time: end,
-        d: last.road.d,
-        d_rate: 0.0,
-    });
+    let keeps = |piece: &Across| piece.d == last.road.d && piece.d_rate == 0.0;
+    if !across.last().is_some_and(keeps) {
+        across.push(Across {
+            time: end,
+            d: last.road.d,
+            d_rate: 0.0,
+        });
+    }
     Trajectory {
         along,
         across,

@@ -88,8 +88,11 @@ impl<'a> Simulation<'a> {
                 scenario.ego.speed,
             ),
             backup: false,
-            forecasts: Vec::new(),
-            trace: Trace::new(scenario.actors.iter().map(|a| a.name.as_str())),
+            forecasts: Vec::with_capacity(scenario.actors.len()),
+            trace: Trace::new(
+                scenario.actors.iter().map(|a| a.name.as_str()),
+                (scenario.duration.nanos() / STEP.nanos()) as usize + 1,
+            ),
             world,
             witness: None,
         }

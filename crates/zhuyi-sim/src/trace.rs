@@ -27,17 +27,17 @@ pub struct Row<'a> {
 }
 
 impl Trace {
-    /// An empty record of the ego and actors of these names.
-    pub fn new<'n>(actors: impl Iterator<Item = &'n str>) -> Self {
-        let names = std::iter::once("ego")
+    /// An empty record of the ego and actors of these names, with room for so many rows.
+    pub fn new<'n>(actors: impl Iterator<Item = &'n str>, rows: usize) -> Self {
+        let names: Vec<_> = std::iter::once("ego")
             .chain(actors)
             .map(String::from)
             .collect();
         Self {
+            times: Vec::with_capacity(rows),
+            commands: Vec::with_capacity(rows),
+            bodies: Vec::with_capacity(rows * names.len()),
             names,
-            times: Vec::new(),
-            commands: Vec::new(),
-            bodies: Vec::new(),
         }
     }
 

@@ -102,7 +102,7 @@ mod tests {
             ego: body(100.25, -3.5),
             actors: vec![body(130.0, 5.3)],
         };
-        let mut trace = Trace::new(["lead"].into_iter());
+        let mut trace = Trace::new(["lead"].into_iter(), 1);
         let command = Command {
             accel: 0.0,
             curvature: 0.0,

@@ -106,8 +106,8 @@ impl Arguments {
         };
         let read = Inputs::read(named, &self.setup, &mut problems);
         let budgets = self.budgets(&mut problems);
-        let seeds = seed_count(&self.seeds, &mut problems);
-        let root_seed = seed("--root-seed", &self.root_seed, &mut problems);
+        let seeds = seed_count(Argument::new("--seeds", &self.seeds), &mut problems);
+        let root_seed = seed(Argument::new("--root-seed", &self.root_seed), &mut problems);
         let policies = self.policies(read.system.as_ref(), budgets.as_ref(), &mut problems);
         let place = self.out.clone().map(|out| Place {
             out,

@@ -6,6 +6,7 @@ use clap::Args;
 use zhuyi_scenario::{Invalid, Kind, Source, System, load};
 
 use super::Task;
+use super::sweep::plan;
 use crate::answer::Answer;
 use crate::argument::Argument;
 use crate::error::Error;
@@ -17,10 +18,10 @@ use crate::problems::Problems;
 #[command(after_help = "\
 Examples:
   zhuyi check my-scenario.ron
-  zhuyi check scenarios/*.ron scenarios/system/*.ron
+  zhuyi check scenarios/*.ron scenarios/system/*.ron scenarios/plans/*.ron
   zhuyi check --system my-car.ron my-scenario.ron   (does a longer car still fit?)")]
 pub struct Arguments {
-    /// Scenario and system files
+    /// Scenario files, system files and plans of sweeps
     #[arg(value_name = "FILE", required = true)]
     files: Vec<String>,
     /// The system that the scenarios are checked with [default: the built-in `default`]
@@ -81,6 +82,7 @@ fn passes(source: &Source, system: Option<&Source>, problems: &mut Problems) -> 
             problems.take(read);
             passes
         }
+        (Kind::Plan, _) => plan::passes(source, problems),
         (Kind::Scenario, None) => false,
     }
 }

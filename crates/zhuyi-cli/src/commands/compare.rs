@@ -101,9 +101,9 @@ impl Arguments {
         let read = Inputs::read(named, &self.setup, &mut problems);
         let fpr = Argument::new("--fpr", &self.fpr);
         let fpr = fpr.whole(&fpr.all(), "a frame rate", 1..=1000, &mut problems);
-        let seeds = seed_count(&self.seeds, &mut problems);
+        let seeds = seed_count(Argument::new("--seeds", &self.seeds), &mut problems);
         let every = steps(&self.every_ms, &mut problems);
-        let root_seed = seed("--root-seed", &self.root_seed, &mut problems);
+        let root_seed = seed(Argument::new("--root-seed", &self.root_seed), &mut problems);
         let place = self.out.clone().map(|out| Place {
             out,
             check: self.check,

@@ -62,7 +62,7 @@ impl Arguments {
         let seeds = self
             .seeds
             .as_deref()
-            .map(|typed| seed_count(typed, &mut problems));
+            .map(|typed| seed_count(Argument::new("--seeds", typed), &mut problems));
         let place = Place {
             out: self.out,
             check: self.check,

@@ -1,7 +1,7 @@
 //! `zhuyi explain`: why a drive ended in a collision, and the smallest single change that would have saved it.
 
 mod changes;
-mod document;
+pub mod document;
 mod text;
 
 use clap::Args;

@@ -1,27 +1,30 @@
 //! What `sweep` and `mrf` have in common: scenarios, the same rate on all cameras, seeds.
 
-use std::ops::Range;
-
 use clap::Args;
-use zhuyi_core::FrameRates;
-use zhuyi_estimator::Estimator;
-use zhuyi_lab::Progress;
 use zhuyi_lab::mrf::{Required, required, told};
 use zhuyi_lab::runs::Typed;
 use zhuyi_lab::statistics::bound_without_event;
-use zhuyi_lab::sweep::{Cell, Experiment, Record, grid, uniform};
+use zhuyi_lab::sweep::Experiment;
 use zhuyi_scenario::{Scenario, System};
 
 use super::run::seed;
 use crate::argument::Argument;
-use crate::error::Error;
 use crate::inputs::{Inputs, Setup, Texts};
-use crate::interrupt;
 use crate::problems::Problems;
-use crate::progress::Bar;
 use crate::ranges::frame_rates;
 use crate::shell;
-use crate::tables::table;
+
+/// The rates where none are typed.
+pub const RATES: &str = "1:30";
+/// The number of seeds where none is typed.
+pub const SEEDS: &str = "10";
+/// The root of all randomness where none is typed.
+pub const ROOT_SEED: &str = "0";
+
+/// A flag as typed, or its default.
+fn flag<'a>(name: &'a str, typed: Option<&'a String>, default: &'a str) -> Argument<'a> {
+    Argument::new(name, typed.map_or(default, String::as_str))
+}
 
 /// Scenarios, rates and seeds as typed.
 #[derive(Args, Clone, Debug)]
@@ -31,30 +34,15 @@ pub struct Arguments {
     #[arg(value_name = "SCENARIO", required = true)]
     pub scenarios: Vec<String>,
     /// Frame rates in frames per second, the same on all cameras: from:to[:step] with both ends, single
-    /// rates, or several of these, as 1:10,15,30
-    #[arg(
-        long,
-        value_name = "RATES",
-        default_value = "1:30",
-        allow_hyphen_values = true
-    )]
-    fpr: String,
-    /// How many random drives per rate: seeds 0, 1, .. of zhuyi run
-    #[arg(
-        long,
-        value_name = "COUNT",
-        default_value = "10",
-        allow_hyphen_values = true
-    )]
-    seeds: String,
-    /// Root of all randomness: another one makes all seeds other drives
-    #[arg(
-        long,
-        value_name = "N",
-        default_value = "0",
-        allow_hyphen_values = true
-    )]
-    root_seed: String,
+    /// rates, or several of these, as 1:10,15,30 [default: 1:30]
+    #[arg(long, value_name = "RATES", allow_hyphen_values = true)]
+    fpr: Option<String>,
+    /// How many random drives per rate: seeds 0, 1, .. of zhuyi run [default: 10]
+    #[arg(long, value_name = "COUNT", allow_hyphen_values = true)]
+    seeds: Option<String>,
+    /// Root of all randomness: another one makes all seeds other drives [default: 0]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    root_seed: Option<String>,
     #[command(flatten)]
     pub setup: Setup,
 }
@@ -74,8 +62,7 @@ pub struct Grid {
 }
 
 /// A number of seeds as typed.
-pub fn seed_count(typed: &str, problems: &mut Problems) -> Option<u64> {
-    let argument = Argument::new("--seeds", typed);
+pub fn seed_count(argument: Argument<'_>, problems: &mut Problems) -> Option<u64> {
     argument.whole(
         &argument.all(),
         "the number of seeds",
@@ -85,58 +72,48 @@ pub fn seed_count(typed: &str, problems: &mut Problems) -> Option<u64> {
 }
 
 impl Arguments {
-    /// What was typed, as meant.
-    pub fn meant(&self) -> Result<Grid, Error> {
-        let mut problems = Problems::default();
-        let grid = self.read(&mut problems);
-        problems.finish(grid)
-    }
-
     /// What was typed, as meant, with all that is wrong noted.
     pub fn read(&self, problems: &mut Problems) -> Option<Grid> {
         let read = Inputs::read(&self.scenarios, &self.setup, problems);
         let rates = frame_rates(self.fpr(), problems);
-        let seeds = seed_count(&self.seeds, problems);
-        let root_seed = seed("--root-seed", &self.root_seed, problems);
-        Some(Grid {
-            scenarios: read.scenarios?,
-            system: read.system?,
-            rates: rates?,
-            seeds: seeds?,
-            root_seed: root_seed?,
-            typed: self.typed(),
-            texts: read.texts?,
-        })
+        let seeds = flag("--seeds", self.seeds.as_ref(), SEEDS);
+        let seeds = seed_count(seeds, problems);
+        let root_seed = flag("--root-seed", self.root_seed.as_ref(), ROOT_SEED);
+        let root_seed = seed(root_seed, problems);
+        let names = self.scenarios.iter().map(String::as_str);
+        Grid::new(read, (rates?, seeds?, root_seed?), names)
     }
 
     /// The rates as typed.
     pub fn fpr(&self) -> Argument<'_> {
-        Argument::new("--fpr", &self.fpr)
+        flag("--fpr", self.fpr.as_ref(), RATES)
+    }
+
+    /// Each flag that was typed, with its value.
+    pub fn flags(&self) -> impl Iterator<Item = (&'static str, &str)> {
+        let rates = self.fpr.iter().map(|typed| ("--fpr", typed));
+        let seeds = self.seeds.iter().map(|typed| ("--seeds", typed));
+        let root_seed = self.root_seed.iter().map(|typed| ("--root-seed", typed));
+        let system = self.setup.system.iter().map(|typed| ("--system", typed));
+        let settings = self.setup.settings.iter().map(|typed| ("--set", typed));
+        let all = rates.chain(seeds).chain(root_seed);
+        let all = all.chain(system).chain(settings);
+        all.map(|(flag, typed)| (flag, typed.as_str()))
     }
 
     /// The words behind the scenarios that say the same on another command line.
     pub fn words(&self) -> impl Iterator<Item = &str> {
         let flags = [
-            ("--fpr", &self.fpr, "1:30"),
-            ("--seeds", &self.seeds, "10"),
-            ("--root-seed", &self.root_seed, "0"),
+            ("--fpr", &self.fpr, RATES),
+            ("--seeds", &self.seeds, SEEDS),
+            ("--root-seed", &self.root_seed, ROOT_SEED),
         ];
-        let changed = flags
+        let typed = flags
             .into_iter()
-            .filter(|(_, typed, default)| typed != default);
-        let changed = changed.flat_map(|(flag, typed, _)| [flag, typed.as_str()]);
+            .filter_map(|(flag, typed, default)| Some((flag, typed.as_deref()?, default)));
+        let changed = typed.filter(|(_, typed, default)| typed != default);
+        let changed = changed.flat_map(|(flag, typed, _)| [flag, typed]);
         changed.chain(self.setup.words())
-    }
-
-    fn typed(&self) -> Typed {
-        let scenarios = self
-            .scenarios
-            .iter()
-            .map(|scenario| shell::line([scenario.as_str()]));
-        Typed {
-            scenarios: scenarios.collect(),
-            options: shell::line(self.setup.words()),
-        }
     }
 }
 
@@ -151,6 +128,27 @@ pub fn required_cells(collisions: &[(u32, u32)]) -> [String; 3] {
 }
 
 impl Grid {
+    /// What was read, at rates, with a number of seeds and a root seed; `names` call the scenarios on a command line.
+    pub fn new<'a>(
+        read: Inputs,
+        (rates, seeds, root_seed): (Vec<u32>, u64, u64),
+        names: impl Iterator<Item = &'a str>,
+    ) -> Option<Self> {
+        let texts = read.texts?;
+        Some(Self {
+            scenarios: read.scenarios?,
+            system: read.system?,
+            rates,
+            seeds,
+            root_seed,
+            typed: Typed {
+                scenarios: names.map(|name| shell::line([name])).collect(),
+                options: texts.options(),
+            },
+            texts,
+        })
+    }
+
     /// What stays the same over all drives.
     pub fn experiment(&self) -> Experiment<'_> {
         Experiment {
@@ -158,55 +156,6 @@ impl Grid {
             system: &self.system,
             root_seed: self.root_seed,
         }
-    }
-
-    /// Makes all drives, each put to these estimators; Ctrl-C ends it.
-    pub fn run(&self, estimators: &[Estimator]) -> Result<Vec<Record>, Error> {
-        interrupt::listen()?;
-        let rates: Vec<FrameRates> = self
-            .rates
-            .iter()
-            .map(|fps| uniform(&self.system, *fps))
-            .collect();
-        let seeds: Range<u64> = 0..self.seeds;
-        let cells: Vec<Cell> = grid(self.scenarios.len(), &rates, seeds);
-        let bar = Bar::new();
-        bar.start("drives", cells.len() as u64);
-        Ok(self.experiment().run(&cells, |_| estimators, || bar.step()))
-    }
-
-    /// The minimum required rate of each scenario, with the drives that it rests on.
-    pub fn table(&self, records: &[Record]) -> String {
-        let names: Vec<&str> = ["scenario"].into_iter().chain(REQUIRED).collect();
-        let mut rows = table(&names, &[1]);
-        let per_scenario = self.rates.len() * self.seeds as usize;
-        for (scenario, records) in self.scenarios.iter().zip(records.chunks(per_scenario)) {
-            let collisions = self.collisions(records);
-            let name = scenario.name.clone();
-            rows.add_row([name].into_iter().chain(required_cells(&collisions)));
-        }
-        rows.trim_fmt() + "\n"
-    }
-
-    /// Rates with the number of seeds that collided.
-    fn collisions(&self, records: &[Record]) -> Vec<(u32, u32)> {
-        let count = |records: &[Record]| {
-            records
-                .iter()
-                .filter(|record| record.collision.is_some())
-                .count()
-        };
-        let chunks = records.chunks(self.seeds as usize);
-        self.rates
-            .iter()
-            .copied()
-            .zip(chunks.map(|records| count(records) as u32))
-            .collect()
-    }
-
-    /// What a table of this kind says and what not.
-    pub fn legend(&self) -> String {
-        legend(self.rates.len(), self.seeds)
     }
 }
 

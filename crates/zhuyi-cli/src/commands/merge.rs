@@ -5,9 +5,11 @@ use std::path::PathBuf;
 use clap::Args;
 use zhuyi_lab::batch;
 
-use super::{Task, sweep};
+use super::Task;
+use super::sweep::{Told, parquet};
 use crate::answer::Answer;
 use crate::error::Error;
+use crate::problems::Problems;
 
 /// `zhuyi merge` as typed.
 #[derive(Args, Debug)]
@@ -24,6 +26,9 @@ pub struct Arguments {
     /// Folder for runs.csv and plan.json; made if it is missing, and the files in it replaced
     #[arg(short, long, value_name = "DIR")]
     out: PathBuf,
+    /// Write DIR/runs.parquet too: the same rows in typed columns (a program built with the feature parquet)
+    #[arg(long)]
+    parquet: bool,
 }
 
 /// The folders to merge.
@@ -31,19 +36,28 @@ pub struct Arguments {
 pub struct Merge {
     dirs: Vec<PathBuf>,
     out: PathBuf,
+    parquet: Option<parquet::Write>,
 }
 
 impl Arguments {
     /// What was typed, as meant.
-    pub fn meant(self) -> Merge {
-        let Self { dirs, out } = self;
-        Merge { dirs, out }
+    pub fn meant(self) -> Result<Merge, Error> {
+        let Self { dirs, out, parquet } = self;
+        let mut problems = Problems::default();
+        let parquet = parquet::asked(parquet, &mut problems);
+        problems.finish(Some(Merge { dirs, out, parquet }))
     }
 }
 
 impl Task for Merge {
     fn run(self: Box<Self>) -> Result<Answer, Error> {
-        let (plan, made) = batch::merge(&self.dirs, &self.out)?;
-        Ok(Answer::new(sweep::told(&plan, &made, &self.out)))
+        let mut told = Told::default();
+        let plan = batch::merge(&self.dirs, &self.out, &mut |plan, run, made| {
+            told.add(plan, run, made);
+        })?;
+        if let Some(write) = self.parquet {
+            write(&self.out)?;
+        }
+        Ok(Answer::new(told.text(&plan, &self.out)))
     }
 }

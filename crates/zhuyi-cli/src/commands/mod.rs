@@ -2,7 +2,9 @@
 
 mod allocate;
 mod beyond;
+mod boundary;
 mod check;
+mod choices;
 mod compare;
 mod delivery;
 mod diff;
@@ -11,6 +13,7 @@ mod explain;
 mod figures;
 mod grid;
 mod list;
+mod map;
 mod merge;
 mod mrf;
 mod new;
@@ -19,6 +22,7 @@ mod report;
 mod reproduce;
 mod robustness;
 mod run;
+mod schema;
 mod show;
 mod sweep;
 
@@ -84,6 +88,10 @@ pub enum Command {
     Diff(diff::Arguments),
     /// Find the minimum required frame rate: from it on no seed collides
     Mrf(mrf::Arguments),
+    /// Map the share of collisions over the frame rate and another factor
+    Map(map::Arguments),
+    /// Find the minimum required rate over a free choice, with drives on the border of safe and unsafe
+    Boundary(boundary::Arguments),
     /// Make the paper's table, ours beside the published one
     Reproduce(reproduce::Arguments),
     /// See how the minimum required rates move with what was chosen
@@ -94,6 +102,8 @@ pub enum Command {
     Allocate(allocate::Arguments),
     /// See what the estimator's options beyond the paper change
     Beyond(beyond::Arguments),
+    /// Tell what the JSON documents and the tables that commands write are made of
+    Schema(schema::Arguments),
     /// Draw the results, each figure with its numbers as CSV beside it
     Figures(figures::Arguments),
 }
@@ -111,14 +121,17 @@ impl Command {
             Self::Estimate(typed) => Box::new(typed.meant()?),
             Self::Report(typed) => Box::new(typed.meant()?),
             Self::Sweep(typed) => Box::new(typed.meant()?),
-            Self::Merge(typed) => Box::new(typed.meant()),
+            Self::Merge(typed) => Box::new(typed.meant()?),
             Self::Diff(typed) => Box::new(typed.meant()),
             Self::Mrf(typed) => Box::new(typed.meant()?),
+            Self::Map(typed) => Box::new(typed.meant()?),
+            Self::Boundary(typed) => Box::new(typed.meant()?),
             Self::Reproduce(typed) => Box::new(typed.meant()?),
             Self::Robustness(typed) => Box::new(typed.meant()?),
             Self::Compare(typed) => Box::new(typed.meant()?),
             Self::Allocate(typed) => Box::new(typed.meant()?),
             Self::Beyond(typed) => Box::new(typed.meant()?),
+            Self::Schema(typed) => Box::new(typed.meant()?),
             Self::Figures(typed) => Box::new(typed.meant()?),
         })
     }

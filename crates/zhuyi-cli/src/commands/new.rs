@@ -16,6 +16,9 @@ use crate::inputs::any_source;
 use crate::problems::Problems;
 use crate::shell;
 
+/// What `--from` calls the plan that comes with the program.
+const PLAN: &str = "plan";
+
 /// `zhuyi new` as typed.
 #[derive(Args, Debug)]
 #[command(after_help = "\
@@ -23,12 +26,13 @@ Examples:
   zhuyi new                                my-scenario.ron, explained line by line
   zhuyi new two-lanes -o my-two-lanes.ron
   zhuyi new my-cut-in --from cut-in        a copy of a built-in scenario
-  zhuyi new my-car --from default          a copy of the built-in system, with the car and cameras")]
+  zhuyi new my-car --from default          a copy of the built-in system, with the car and cameras
+  zhuyi new my-sweep --from plan           a plan for zhuyi sweep, explained line by line")]
 pub struct Arguments {
-    /// Name of the new scenario; its file is NAME.ron
+    /// Name of the new file, which is NAME.ron
     #[arg(value_name = "NAME", default_value = "my-scenario")]
     name: String,
-    /// Copy this instead: a built-in scenario, `default` for the built-in system, or a .ron file
+    /// Copy this instead: a built-in scenario, `default` for the built-in system, `plan` for a plan of a sweep, or a .ron file
     #[arg(long, value_name = "SCENARIO")]
     from: Option<String>,
     /// Write to this file instead of NAME.ron; nothing is ever overwritten
@@ -49,6 +53,7 @@ impl Arguments {
         let mut problems = Problems::default();
         let source = match &self.from {
             None => Some(Source::new("template.ron", embedded::template())),
+            Some(from) if from == PLAN => Some(Source::new("plan.ron", embedded::plan())),
             Some(from) => any_source(Argument::new("--from", from), &mut problems),
         };
         let in_name = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
@@ -84,6 +89,11 @@ impl Task for New {
             Kind::System => vec![
                 vec!["check", &file],
                 vec!["run", "cut-in", "--system", &file],
+            ],
+            Kind::Plan => vec![
+                vec!["check", &file],
+                vec!["sweep", &file, "--dry-run"],
+                vec!["sweep", &file, "--out", "out"],
             ],
         };
         let next = next

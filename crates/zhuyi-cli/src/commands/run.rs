@@ -156,8 +156,8 @@ impl Arguments {
         let rates = Rates::read(self.fpr.as_deref(), &mut problems);
         let rates = rates.zip(read.system.as_ref());
         let rates = rates.and_then(|(rates, system)| rates.of(system, &mut problems));
-        let root_seed = seed("--root-seed", &self.root_seed, &mut problems);
-        let seed = seed("--seed", &self.seed, &mut problems);
+        let root_seed = seed(Argument::new("--root-seed", &self.root_seed), &mut problems);
+        let seed = seed(Argument::new("--seed", &self.seed), &mut problems);
         let mut place = |path: &Option<PathBuf>| match path {
             Some(path) => Output::reserve(path, &mut problems).map(Some),
             None => Some(None),
@@ -257,8 +257,7 @@ impl Arguments {
 }
 
 /// A seed as typed.
-pub fn seed(name: &'static str, typed: &str, problems: &mut Problems) -> Option<u64> {
-    let argument = Argument::new(name, typed);
+pub fn seed(argument: Argument<'_>, problems: &mut Problems) -> Option<u64> {
     argument.whole(&argument.all(), "a seed", 0..=u64::MAX, problems)
 }
 

@@ -8,6 +8,7 @@ use super::Task;
 use crate::answer::Answer;
 use crate::argument::Argument;
 use crate::error::Error;
+use crate::fault::Fault;
 use crate::inputs::{Inputs, Setup, any_source};
 use crate::problems::Problems;
 use crate::sparkline;
@@ -49,6 +50,12 @@ impl Arguments {
         let show = source.and_then(|source| match Kind::of(&source) {
             Kind::System => self.system(&source, &mut problems),
             Kind::Scenario => self.scenario(&mut problems),
+            Kind::Plan => {
+                let argument = Argument::new("SCENARIO", &self.shown);
+                let fault = Fault::IsPlan(self.shown.clone());
+                argument.refuse(&argument.all(), fault, &mut problems);
+                None
+            }
         });
         problems.finish(show)
     }

@@ -1,20 +1,15 @@
-//! `--vary PATH=SPEC`: a parameter of the scenario or the system with the values that it takes.
+//! A varied parameter with the values that it takes.
 //!
 //! `planner.min_gap_m=2:4` are 2, 3 and 4, with a step behind another colon 2:4:0.5 every half, both ends included;
 //! `estimator.grid=[Ms33,Fps]` are these values, as a file spells them; `planner.min_gap_m=uniform(2,4)` and
 //! `normal(3,0.5)` draw them.
 
-use std::ops::Range;
-
 use zhuyi_lab::batch::Distribution;
-use zhuyi_scenario::Setting;
 
+use super::typed::{Spec, Typed};
 use crate::argument::Argument;
 use crate::fault::Fault;
 use crate::problems::Problems;
-
-/// The flag.
-pub const FLAG: &str = "--vary";
 
 /// The most values of one parameter.
 const MOST_VALUES: usize = 10_000;
@@ -29,6 +24,8 @@ pub struct Axis {
     pub path: String,
     /// Its values.
     pub values: Values,
+    /// The values as a flag says them, spelt in one way: `2:4:0.5`.
+    pub spelt: String,
 }
 
 /// The values of a parameter.
@@ -40,145 +37,124 @@ pub enum Values {
     Drawn(Distribution),
 }
 
-/// All parameters, as typed.
-pub fn axes(typed: &[String], problems: &mut Problems) -> Option<Vec<Axis>> {
+/// All parameters.
+pub fn axes(typed: &[Typed<'_>], problems: &mut Problems) -> Option<Vec<Axis>> {
     let before = problems.len();
     let mut axes: Vec<Axis> = Vec::new();
     for typed in typed {
-        let argument = Argument::new(FLAG, typed);
-        let Some(axis) = axis(argument, problems) else {
+        let Some(axis) = axis(typed, problems) else {
             continue;
         };
         if axes.iter().any(|earlier| earlier.path == axis.path) {
             let what = "parameter";
             let name = axis.path.clone();
-            argument.refuse(&path(argument), Fault::Twice { what, name }, problems);
+            refuse(typed.path, Fault::Twice { what, name }, problems);
         }
         axes.push(axis);
     }
     (problems.len() == before).then_some(axes)
 }
 
-/// Where the path stands.
-fn path(argument: Argument<'_>) -> Range<usize> {
-    argument.parts(&argument.all(), '=').swap_remove(0)
+fn axis(typed: &Typed<'_>, problems: &mut Problems) -> Option<Axis> {
+    let (values, spelt) = match &typed.values {
+        Spec::List(all, values) => {
+            let values = listed(*all, values, problems)?;
+            let spelt = format!("[{}]", values.join(","));
+            (Values::Listed(values), spelt)
+        }
+        Spec::Range {
+            all,
+            from,
+            to,
+            step,
+        } => {
+            let ends = (number(*from, problems), number(*to, problems));
+            let step = step.map_or(Some(1.0), |step| {
+                step.number(&step.all(), "a step", 1e-6..=NUMBERS, problems)
+            });
+            range(*all, (ends.0?, ends.1?), step?, problems)?
+        }
+        Spec::Uniform { all, from, to } => {
+            let (from, to) = (number(*from, problems), number(*to, problems));
+            let (from, to) = upwards(*all, (from?, to?), problems)?;
+            let of = Distribution::Uniform { from, to };
+            (Values::Drawn(of), format!("uniform({from},{to})"))
+        }
+        Spec::Normal { mean, deviation } => {
+            let mean = number(*mean, problems);
+            let all = deviation.all();
+            let what = "a standard deviation";
+            let deviation = deviation.number(&all, what, 0.0..=NUMBERS, problems);
+            let (mean, deviation) = (mean?, deviation?);
+            let of = Distribution::Normal { mean, deviation };
+            (Values::Drawn(of), format!("normal({mean},{deviation})"))
+        }
+    };
+    Some(Axis {
+        path: typed.path.typed().to_string(),
+        values,
+        spelt,
+    })
 }
 
-fn axis(argument: Argument<'_>, problems: &mut Problems) -> Option<Axis> {
-    let whole = argument.all();
-    let text = argument.at(&whole);
-    let Some(equals) = text.find('=') else {
-        argument.refuse(&whole, Fault::VaryForm(text.to_string()), problems);
-        return None;
-    };
-    let place = path(argument);
-    let spec = argument.trimmed(&(equals + 1..whole.end));
-    let name = argument.at(&place).to_string();
-    let values: Vec<String> = if argument.at(&spec).starts_with('[') {
-        // Read as a setting, so that an unknown path or what is no RON is told as everywhere.
-        let setting = problems.take(Setting::parse_as(FLAG, text))?;
-        let values = setting.entries()?;
-        values.into_iter().map(String::from).collect()
-    } else {
-        let drawn = argument.at(&spec).ends_with(')');
-        let values = if drawn {
-            Values::Drawn(distribution(argument, &spec, problems)?)
-        } else {
-            Values::Listed(range(argument, &spec, problems)?)
-        };
-        problems.take(Setting::parse_as(FLAG, &format!("{name}=0")))?;
-        return Some(Axis { path: name, values });
-    };
+fn refuse(argument: Argument<'_>, fault: Fault, problems: &mut Problems) {
+    argument.refuse(&argument.all(), fault, problems);
+}
+
+fn number(argument: Argument<'_>, problems: &mut Problems) -> Option<f64> {
+    argument.number(&argument.all(), "a value", -NUMBERS..=NUMBERS, problems)
+}
+
+/// At least one value, and each once.
+fn listed(all: Argument<'_>, values: &[String], problems: &mut Problems) -> Option<Vec<String>> {
     if values.is_empty() {
-        argument.refuse(&spec, Fault::NoValue, problems);
+        refuse(all, Fault::NoValue, problems);
         return None;
     }
     if let Some(value) = (1..values.len()).find(|i| values[..*i].contains(&values[*i])) {
         let (what, name) = ("value", values[value].clone());
-        argument.refuse(&spec, Fault::Twice { what, name }, problems);
+        refuse(all, Fault::Twice { what, name }, problems);
         return None;
     }
-    Some(Axis {
-        path: name,
-        values: Values::Listed(values),
-    })
+    Some(values.to_vec())
 }
 
-/// `uniform(from, to)` or `normal(mean, deviation)`.
-fn distribution(
-    argument: Argument<'_>,
-    place: &Range<usize>,
+fn upwards(
+    all: Argument<'_>,
+    (from, to): (f64, f64),
     problems: &mut Problems,
-) -> Option<Distribution> {
-    let text = argument.at(place);
-    let name = text.split('(').next().unwrap_or(text);
-    if name.len() == text.len() {
-        argument.refuse(place, Fault::Distribution(text.to_string()), problems);
-        return None;
-    }
-    let inside = place.start + name.len() + 1..place.end - 1;
-    let parts = argument.parts(&inside, ',');
-    let ([one, two], "uniform" | "normal") = (parts.as_slice(), name.trim_end()) else {
-        argument.refuse(place, Fault::Distribution(text.to_string()), problems);
-        return None;
-    };
-    let first = argument.number(one, "a value", -NUMBERS..=NUMBERS, problems);
-    if name.trim_end() == "normal" {
-        let deviation = argument.number(two, "a standard deviation", 0.0..=NUMBERS, problems);
-        return Some(Distribution::Normal {
-            mean: first?,
-            deviation: deviation?,
-        });
-    }
-    let to = argument.number(two, "a value", -NUMBERS..=NUMBERS, problems);
-    let (from, to) = (first?, to?);
+) -> Option<(f64, f64)> {
     if from > to {
         let (from, to) = (from.to_string(), to.to_string());
-        argument.refuse(place, Fault::Reversed { from, to }, problems);
+        refuse(all, Fault::Reversed { from, to }, problems);
         return None;
     }
-    Some(Distribution::Uniform { from, to })
+    Some((from, to))
 }
 
-/// The numbers of `from:to[:step]`.
+/// Both ends and every step between them.
 fn range(
-    argument: Argument<'_>,
-    place: &Range<usize>,
+    all: Argument<'_>,
+    ends: (f64, f64),
+    step: f64,
     problems: &mut Problems,
-) -> Option<Vec<String>> {
-    let parts = argument.parts(place, ':');
-    let mut number = |place| argument.number(place, "a value", -NUMBERS..=NUMBERS, problems);
-    let (from, to, step) = match parts.as_slice() {
-        [from, to] => (number(from), number(to), Some(1.0)),
-        [from, to, step] => {
-            let (from, to) = (number(from), number(to));
-            let step = argument.number(step, "a step", 1e-6..=NUMBERS, problems);
-            (from, to, step)
-        }
-        _ => {
-            let got = argument.at(&argument.all()).to_string();
-            argument.refuse(place, Fault::VaryForm(got), problems);
-            return None;
-        }
-    };
-    let (from, to, step) = (from?, to?, step?);
-    if from > to {
-        let (from, to) = (from.to_string(), to.to_string());
-        argument.refuse(place, Fault::Reversed { from, to }, problems);
-        return None;
-    }
+) -> Option<(Values, String)> {
+    let (from, to) = upwards(all, ends, problems)?;
     // An end that is met but for rounding is met.
     let steps = ((to - from) / step + 1e-9).floor();
     if steps >= MOST_VALUES as f64 {
         let (most, got) = (MOST_VALUES, steps as usize + 1);
-        argument.refuse(place, Fault::TooMany { most, got }, problems);
+        refuse(all, Fault::TooMany { most, got }, problems);
         return None;
     }
-    Some(
-        (0..=steps as u32)
-            .map(|index| rounded(from + f64::from(index) * step))
-            .collect(),
-    )
+    let value = |index| rounded(from + f64::from(index) * step);
+    let spelt = if step == 1.0 {
+        format!("{from}:{to}")
+    } else {
+        format!("{from}:{to}:{step}")
+    };
+    let values = (0..=steps as u32).map(value).collect();
+    Some((Values::Listed(values), spelt))
 }
 
 /// To a millionth, so that 0.1 + 0.2 is 0.3; and 0 has no sign.

@@ -1,4 +1,4 @@
-//! `--where a<b`: which combinations of values are meant.
+//! `a<b`, by `--where` or in a plan: which combinations of values are meant.
 
 use std::ops::Range;
 
@@ -19,11 +19,13 @@ const COMPARISONS: [(&str, Compare); 4] = [
 ];
 
 /// A comparison of two numbers of a point.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Constraint {
     left: Operand,
     compare: Compare,
     right: Operand,
+    /// As a flag says it, spelt in one way: `a<b`.
+    pub spelt: String,
 }
 
 /// What is compared.
@@ -36,13 +38,13 @@ enum Operand {
 
 /// All constraints, as typed.
 pub fn constraints(
-    typed: &[String],
+    typed: &[Argument<'_>],
     axes: &[Axis],
     problems: &mut Problems,
 ) -> Option<Vec<Constraint>> {
     let read: Vec<Option<Constraint>> = typed
         .iter()
-        .map(|typed| constraint(Argument::new("--where", typed), axes, problems))
+        .map(|typed| constraint(*typed, axes, problems))
         .collect();
     read.into_iter().collect()
 }
@@ -56,17 +58,22 @@ fn constraint(
     let text = argument.at(&all);
     let found = COMPARISONS
         .iter()
-        .find_map(|(sign, compare)| Some((text.find(sign)?, sign.len(), *compare)));
-    let Some((at, length, compare)) = found else {
+        .find_map(|(sign, compare)| Some((text.find(sign)?, *sign, *compare)));
+    let Some((at, sign, compare)) = found else {
         argument.refuse(&all, Fault::Comparison(text.to_string()), problems);
         return None;
     };
-    let mut side = |place: Range<usize>| operand(argument, &place, axes, problems);
-    let (left, right) = (side(0..at), side(at + length..all.end));
+    let at = all.start + at;
+    let places = [all.start..at, at + sign.len()..all.end];
+    let [left, right] = places
+        .clone()
+        .map(|place| operand(argument, &place, axes, problems));
+    let [one, two] = places.map(|place| argument.at(&place).trim());
     Some(Constraint {
         left: left?,
         compare,
         right: right?,
+        spelt: format!("{one}{sign}{two}"),
     })
 }
 

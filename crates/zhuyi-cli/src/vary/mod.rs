@@ -5,22 +5,29 @@
 
 mod axis;
 mod constraint;
+mod typed;
 
 use clap::Args;
 use zhuyi_lab::batch::{Distribution, Sampling, samples};
-use zhuyi_scenario::did_you_mean;
+use zhuyi_lab::choice::{Choice, is_named};
+use zhuyi_scenario::{Plan, did_you_mean};
 
 use crate::argument::Argument;
 use crate::fault::Fault;
 use crate::problems::Problems;
 use crate::shell;
-use axis::{Axis, FLAG, Values};
+use axis::{Axis, Values};
+use constraint::Constraint;
+use typed::Typed;
+
+/// The flag that says what varies.
+pub const FLAG: &str = "--vary";
 
 /// The most points.
 const MOST_POINTS: usize = 100_000;
 
 /// The flags, as typed.
-#[derive(Args, Clone, Debug)]
+#[derive(Args, Clone, Debug, Default)]
 #[group(skip)]
 pub struct Arguments {
     /// Vary a value of the scenario or the system file: from:to[:step] with both ends, [a,b,..], uniform(from,to) or
@@ -38,9 +45,18 @@ pub struct Arguments {
     /// How often uniform(..) and normal(..) are drawn
     #[arg(long, value_name = "COUNT", allow_hyphen_values = true)]
     samples: Option<String>,
-    /// How they are drawn: random, latin-hypercube or halton
-    #[arg(long, value_name = "HOW", default_value = "latin-hypercube")]
-    sampling: String,
+    /// How they are drawn: random, latin-hypercube or halton [default: latin-hypercube]
+    #[arg(long, value_name = "HOW")]
+    sampling: Option<String>,
+}
+
+/// What varies, as typed in either way.
+#[derive(Clone, Debug)]
+struct Asked<'a> {
+    axes: Vec<Typed<'a>>,
+    constraints: Vec<Argument<'a>>,
+    samples: Option<Argument<'a>>,
+    sampling: Option<Argument<'a>>,
 }
 
 /// What varies, as meant.
@@ -50,93 +66,213 @@ pub struct Varied {
     pub paths: Vec<String>,
     /// Points: a value for each path, as RON.
     pub points: Vec<Vec<String>>,
-    /// The flags that say so.
+    /// The flags that say so, spelt in one way.
     pub typed: Vec<String>,
 }
 
 impl Arguments {
     /// What was typed, as meant, with all that is wrong noted.
     pub fn read(&self, root_seed: u64, problems: &mut Problems) -> Option<Varied> {
+        let before = problems.len();
+        let axes = self
+            .vary
+            .iter()
+            .filter_map(|text| Typed::flag(text, problems));
+        let asked = Asked {
+            axes: axes.collect(),
+            constraints: texts("--where", &self.constraints).collect(),
+            samples: texts("--samples", &self.samples).next(),
+            sampling: texts("--sampling", &self.sampling).next(),
+        };
+        let flags_are_sound = problems.len() == before;
+        let read = asked.read(root_seed, flags_are_sound, problems);
+        read.filter(|_| flags_are_sound)
+    }
+
+    /// Each flag that was typed, with its value.
+    pub fn flags(&self) -> impl Iterator<Item = (&'static str, &str)> {
+        let vary = self.vary.iter().map(|typed| (FLAG, typed));
+        let constraints = self.constraints.iter().map(|typed| ("--where", typed));
+        let samples = self.samples.iter().map(|typed| ("--samples", typed));
+        let sampling = self.sampling.iter().map(|typed| ("--sampling", typed));
+        let all = vary.chain(constraints).chain(samples).chain(sampling);
+        all.map(|(flag, typed)| (flag, typed.as_str()))
+    }
+}
+
+/// The texts of a flag.
+fn texts<'a>(
+    flag: &'static str,
+    typed: impl IntoIterator<Item = &'a String>,
+) -> impl Iterator<Item = Argument<'a>> {
+    let argument = |text: &'a String| Argument::new(flag, text);
+    typed.into_iter().map(argument)
+}
+
+/// What a plan varies, as meant, with all that is wrong noted.
+pub fn of_plan(plan: &Plan, root_seed: u64, problems: &mut Problems) -> Option<Varied> {
+    let asked = Asked {
+        axes: plan.varied.iter().map(Typed::written).collect(),
+        constraints: plan.constraints.iter().map(Argument::of).collect(),
+        samples: plan.samples.as_ref().map(Argument::of),
+        sampling: plan.sampling.as_ref().map(Argument::of),
+    };
+    asked.read(root_seed, true, problems)
+}
+
+impl Asked<'_> {
+    /// What is meant. Where not all axes are there, nothing is said of what depends on them.
+    fn read(self, root_seed: u64, whole: bool, problems: &mut Problems) -> Option<Varied> {
         let sampling = self.sampling(problems);
         let count = self.count(problems);
-        let axes = axis::axes(&self.vary, problems)?;
+        let axes = axis::axes(&self.axes, problems).filter(|_| whole)?;
         let drawn = drawn(&axes);
-        if let ([(path, _), ..], None) = (drawn.as_slice(), &self.samples) {
-            let fault = Fault::NoSamples((*path).to_string());
-            refuse_all(FLAG, &self.vary.join(" "), fault, problems);
-        }
-        if let ([], Some(typed)) = (drawn.as_slice(), &self.samples) {
-            refuse_all("--samples", typed, Fault::NothingDrawn, problems);
-        }
-        let (most, got) = (Sampling::MOST, drawn.len());
-        if got > most && sampling == Some(Sampling::Halton) {
-            let fault = Fault::ManyDrawn { most, got };
-            refuse_all("--sampling", &self.sampling, fault, problems);
-            return None;
-        }
+        self.check_drawn(&drawn, sampling, problems)?;
         let constraints = constraint::constraints(&self.constraints, &axes, problems)?;
-        let samples = samples(sampling?, root_seed, &drawn, count?);
-        let points = points(&axes, &samples, problems)?;
+        let count = count?;
+        let samples = samples(sampling?, root_seed, &drawn, count);
+        let points = self.points(&axes, &samples, problems)?;
         let points: Vec<Vec<String>> = points
             .into_iter()
             .filter(|point| constraints.iter().all(|constraint| constraint.holds(point)))
             .collect();
-        if points.is_empty() {
-            let all = self.constraints.join(" ");
-            refuse_all("--where", &all, Fault::NoPoint, problems);
+        if let (true, Some(last)) = (points.is_empty(), self.constraints.last()) {
+            last.refuse(&last.all(), Fault::NoPoint, problems);
             return None;
         }
         Some(Varied {
+            typed: self.words(&axes, &constraints, count),
             paths: axes.into_iter().map(|axis| axis.path).collect(),
             points,
-            typed: self.words(),
         })
     }
 
+    /// Whether it is said how often to draw where something is drawn, and not more than can be.
+    fn check_drawn(
+        &self,
+        drawn: &[(&str, Distribution)],
+        sampling: Option<Sampling>,
+        problems: &mut Problems,
+    ) -> Option<()> {
+        let before = problems.len();
+        match (drawn, self.samples) {
+            ([(path, _), ..], None) => {
+                let fault = Fault::NoSamples((*path).to_string());
+                let at = self.axes.iter().find(|axis| axis.path.typed() == *path)?;
+                at.path.refuse(&at.path.all(), fault, problems);
+            }
+            ([], Some(samples)) => {
+                samples.refuse(&samples.all(), Fault::NothingDrawn, problems);
+            }
+            _ => {}
+        }
+        let (most, got) = (Sampling::MOST, drawn.len());
+        if let (true, Some(Sampling::Halton), Some(at)) = (got > most, sampling, self.sampling) {
+            at.refuse(&at.all(), Fault::ManyDrawn { most, got }, problems);
+        }
+        (problems.len() == before).then_some(())
+    }
+
     fn sampling(&self, problems: &mut Problems) -> Option<Sampling> {
-        let names = || Sampling::ALL.iter().map(|(name, _)| *name);
-        let found = Sampling::ALL
-            .iter()
-            .find(|(name, _)| *name == self.sampling);
+        let Some(argument) = self.sampling else {
+            return Some(Sampling::LatinHypercube);
+        };
+        let (names, typed) = (
+            || Sampling::ALL.iter().map(|(name, _)| *name),
+            argument.typed(),
+        );
+        let found = Sampling::ALL.iter().find(|(name, _)| *name == typed);
         if found.is_none() {
-            let hint = did_you_mean(&self.sampling, names()).map_or_else(
+            let hint = did_you_mean(typed, names()).map_or_else(
                 || format!("known: {}", names().collect::<Vec<_>>().join(", ")),
                 |name| format!("did you mean `{name}`?"),
             );
             let fault = Fault::Unknown {
                 what: "sampling",
-                got: self.sampling.clone(),
+                got: typed.to_string(),
                 hint,
             };
-            refuse_all("--sampling", &self.sampling, fault, problems);
+            argument.refuse(&argument.all(), fault, problems);
         }
         found.map(|(_, sampling)| *sampling)
     }
 
     /// How many samples; one that is empty where nothing is drawn.
     fn count(&self, problems: &mut Problems) -> Option<u64> {
-        let Some(typed) = &self.samples else {
+        let Some(argument) = self.samples else {
             return Some(1);
         };
-        let argument = Argument::new("--samples", typed);
         let most = MOST_POINTS as u64;
         argument.whole(&argument.all(), "the number of samples", 1..=most, problems)
     }
 
-    /// Each flag that was typed, with its value.
-    fn words(&self) -> Vec<String> {
-        let vary = self.vary.iter().map(|typed| [FLAG, typed]);
-        let constraints = self.constraints.iter().map(|typed| ["--where", typed]);
-        let samples = self.samples.iter().map(|typed| ["--samples", typed]);
-        let sampling = self.samples.iter().map(|_| ["--sampling", &self.sampling]);
-        let all = vary.chain(constraints).chain(samples).chain(sampling);
-        all.map(shell::line).collect()
+    /// The flags that say so, each with its value, spelt in one way.
+    fn words(&self, axes: &[Axis], constraints: &[Constraint], samples: u64) -> Vec<String> {
+        let vary = axes
+            .iter()
+            .map(|axis| (FLAG, format!("{}={}", axis.path, axis.spelt)));
+        let constraints = constraints
+            .iter()
+            .map(|constraint| ("--where", constraint.spelt.clone()));
+        let samples = self.samples.map(|_| {
+            let sampling = self.sampling.map_or("latin-hypercube", Argument::typed);
+            [
+                ("--samples", samples.to_string()),
+                ("--sampling", sampling.to_string()),
+            ]
+        });
+        let all = vary.chain(constraints).chain(samples.into_iter().flatten());
+        all.map(|(flag, value)| shell::line([flag, value.as_str()]))
+            .collect()
+    }
+
+    /// Every combination of listed values with every sample, the samples changing fastest and of the others the last.
+    fn points(
+        &self,
+        axes: &[Axis],
+        samples: &[Vec<f64>],
+        problems: &mut Problems,
+    ) -> Option<Vec<Vec<String>>> {
+        let listed = || {
+            axes.iter().filter_map(|axis| match &axis.values {
+                Values::Listed(values) => Some(values),
+                Values::Drawn(_) => None,
+            })
+        };
+        let count = listed().try_fold(samples.len(), |count, values| {
+            count.checked_mul(values.len())
+        });
+        if count.is_none_or(|count| count > MOST_POINTS) {
+            let (at, most) = (self.axes.last()?.path, MOST_POINTS);
+            at.refuse(&at.all(), Fault::ManyPoints { most }, problems);
+            return None;
+        }
+        Some(combined(axes, &listed().collect::<Vec<_>>(), samples))
     }
 }
 
-fn refuse_all(name: &'static str, text: &str, fault: Fault, problems: &mut Problems) {
-    let argument = Argument::new(name, text);
-    argument.refuse(&argument.all(), fault, problems);
+/// Choices with the values that each is to have, one at a time; some have a name in place of a path.
+pub fn choices(typed: &[String], problems: &mut Problems) -> Option<Vec<Choice>> {
+    let before = problems.len();
+    let typed = typed.iter();
+    let typed: Vec<_> = typed
+        .filter_map(|text| Typed::named_flag(text, is_named, problems))
+        .collect();
+    let axes = axis::axes(&typed, problems)?;
+    let mut choices = Vec::new();
+    for (axis, typed) in axes.into_iter().zip(&typed) {
+        match axis.values {
+            Values::Listed(values) => choices.push(Choice {
+                path: axis.path,
+                values,
+            }),
+            Values::Drawn(_) => {
+                let path = typed.path;
+                path.refuse(&path.all(), Fault::DrawnChoice, problems);
+            }
+        }
+    }
+    (problems.len() == before).then_some(choices)
 }
 
 /// The parameters that are drawn.
@@ -148,29 +284,10 @@ fn drawn(axes: &[Axis]) -> Vec<(&str, Distribution)> {
     drawn.collect()
 }
 
-/// Every combination of listed values with every sample, the samples changing fastest and of the others the last.
-fn points(
-    axes: &[Axis],
-    samples: &[Vec<f64>],
-    problems: &mut Problems,
-) -> Option<Vec<Vec<String>>> {
-    let listed = || {
-        axes.iter().filter_map(|axis| match &axis.values {
-            Values::Listed(values) => Some(values),
-            Values::Drawn(_) => None,
-        })
-    };
-    let count = listed().try_fold(samples.len(), |count, values| {
-        count.checked_mul(values.len())
-    });
-    if count.is_none_or(|count| count > MOST_POINTS) {
-        let all: Vec<&str> = axes.iter().map(|axis| axis.path.as_str()).collect();
-        let most = MOST_POINTS;
-        refuse_all(FLAG, &all.join(", "), Fault::ManyPoints { most }, problems);
-        return None;
-    }
+/// Every combination of listed values with every sample.
+fn combined(axes: &[Axis], listed: &[&Vec<String>], samples: &[Vec<f64>]) -> Vec<Vec<String>> {
     let mut combinations: Vec<Vec<&String>> = vec![Vec::new()];
-    for values in listed() {
+    for values in listed {
         let longer = |combination: &Vec<_>| {
             let with = |value| [combination.as_slice(), &[value]].concat();
             values.iter().map(with).collect::<Vec<_>>()
@@ -189,7 +306,7 @@ fn points(
         let points = samples.iter().map(|sample| point(combination, sample));
         points.collect::<Vec<Vec<String>>>()
     };
-    Some(combinations.iter().flat_map(with_samples).collect())
+    combinations.iter().flat_map(with_samples).collect()
 }
 
 /// A drawn number, of which seven digits are enough; what is driven is what is spelt.
@@ -217,7 +334,7 @@ mod tests {
                 .cloned()
                 .collect(),
             samples: samples.map(String::from),
-            sampling: "halton".to_string(),
+            sampling: Some("halton".to_string()),
         };
         let varied = arguments.read(0, &mut problems);
         problems
@@ -288,7 +405,7 @@ mod tests {
             (
                 &["planner.exponent=uniform(1,2)"][..],
                 None,
-                "--samples must say how often",
+                "samples must say how often",
             ),
             (&["planner.exponent=[1]"], Some("3"), "nothing is drawn"),
             (

@@ -392,3 +392,31 @@ fn law_what_changed_between_two_folders_is_told() {
     assert!(ran.out.contains("smallest_gap_m differs in"), "{}", ran.out);
     assert_eq!(bench.zhuyi("diff one nowhere").code, Some(4));
 }
+
+#[test]
+fn hand_parquet_stands_beside_the_csv_where_the_program_has_it_and_is_refused_where_not() {
+    let bench = Bench::new();
+    let line = "sweep cut-in --fpr 30 --seeds 2 --block 1";
+    let ran = bench.zhuyi(&format!("{line} --out out --parquet"));
+    if cfg!(not(feature = "parquet")) {
+        refused(&ran, 2, "this zhuyi was built without Parquet");
+        assert!(ran.err.contains("--features parquet"), "{}", ran.err);
+        assert!(!bench.path("out").exists());
+        return;
+    }
+    assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
+    assert_eq!(
+        bench.names("out"),
+        ["plan.json", "runs.csv", "runs.parquet"]
+    );
+    // A finished sweep gets it too, and so does a merged one.
+    for shard in 1..=2 {
+        bench.out(&format!("{line} --shard {shard}/2 --out {shard}"));
+    }
+    bench.out("merge 1 2 --out merged");
+    bench.out(&format!("{line} --out merged --resume --parquet"));
+    bench.out("merge 1 2 --out again --parquet");
+    let read = |folder: &str| fs::read(bench.path(folder).join("runs.parquet")).unwrap();
+    let bytes = read("out");
+    assert!(bytes.starts_with(b"PAR1") && bytes == read("merged") && bytes == read("again"));
+}

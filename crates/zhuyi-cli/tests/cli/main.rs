@@ -4,6 +4,8 @@
 //! |---|---|
 //! | `batches` | `sweep` with `--vary`, killed, interrupted and resumed, in shards; `merge` |
 //! | `budgets` | `allocate`: policies under budgets |
+//! | `plans` | `sweep plan.ron`: one sweep with the equal flags, broken plans |
+//! | `choices` | `map` and `boundary` |
 //! | `files` | `list`, `show`, `check`, `new` |
 //! | `one_run` | `run`: text, JSON, trace, rates, settings |
 //! | `many_runs` | `mrf`, `sweep`, `reproduce`, `robustness`, `compare`, `beyond`, `figures` |
@@ -11,20 +13,24 @@
 //! | `reports` | `run --report`: the data in the page |
 //! | `explanations` | `explain`: stages, changes that save the drive |
 //! | `refusals` | bad input: exit code, place, rule, hint |
+//! | `schemas` | `schema`: the documents and tables that commands write are what their schemas say |
 //! | `places` | where results go: unwritable, full, closed, interrupted |
 
 #![expect(clippy::unwrap_used, reason = "a test may")]
 
 mod batches;
 mod budgets;
+mod choices;
 mod explanations;
 mod files;
 mod many_runs;
 mod one_run;
 mod places;
+mod plans;
 mod recordings;
 mod refusals;
 mod reports;
+mod schemas;
 
 use std::path::PathBuf;
 use std::process::Command;

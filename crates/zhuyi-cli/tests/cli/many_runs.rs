@@ -260,3 +260,46 @@ fn law_a_comparison_is_reproduced_and_a_changed_file_is_told() {
     assert!(ran.err.contains("compare.md:1: "), "{}", ran.err);
     assert_eq!(bench.read("out/compare.md"), "all are safe\n");
 }
+
+#[test]
+fn hand_mrf_tells_how_sure_it_is() {
+    let bench = Bench::new();
+    let line = "mrf cut-out-fast --fpr 3:7 --seeds 4";
+    let out = bench.out(&format!("{line} --by-rate"));
+    // 4 of 4 has the Wilson interval z²/(n + z²) = 0.49 from above: 0.51 to 1.
+    let words = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
+    let told = |row: &str| out.lines().any(|line| words(line) == row);
+    assert!(told("cut-out-fast 3 4 4 1.000 0.510 to 1.000"), "{out}");
+    assert!(
+        out.contains("a chance of a collision of P = 0.4899 is allowed"),
+        "{out}"
+    );
+    let document = |options: &str| -> serde_json::Value {
+        serde_json::from_str(&bench.out(&format!("{line} {options} --json"))).unwrap()
+    };
+    let (all, early) = (document(""), document("--early-stop"));
+    let found = |document: &serde_json::Value, what: &str| document["scenarios"][0][what].clone();
+    assert_eq!(found(&all, "mrf"), found(&early, "mrf"));
+    assert_eq!(all["interval"], "wilson");
+    assert_eq!(early["interval"], "robbins");
+    let rates = |document: &serde_json::Value| found(document, "rates").as_array().unwrap().clone();
+    assert_eq!(rates(&all)[0]["drives"], 4);
+    assert_eq!(
+        (&rates(&early)[0]["drives"], &rates(&early)[0]["collided"]),
+        (&1.into(), &1.into())
+    );
+    let replay = "zhuyi run cut-out-fast --fpr 3 --seed 0";
+    assert_eq!(rates(&early)[0]["replay"], replay);
+    // Stratified: twice the drives, and the replay sets every camera's phase.
+    let strata = document("--phases 2");
+    let rate = &rates(&strata)[0];
+    assert_eq!(rate["drives"], 8);
+    let replay = rate["replay"].as_str().unwrap();
+    assert_eq!(replay.matches(".phase_share=0.").count(), 5, "{replay}");
+    let ran = bench.out(replay.strip_prefix("zhuyi ").unwrap());
+    assert!(ran.contains("ollision"), "{ran}");
+    // 1 / (3 · 0.1²) = 33 after a block of two clean drives; 1 / (9 · 0.9^8) = 0.3 after eight collisions.
+    let decided = document("--early-stop --at-most 0.9 --phases 2");
+    let drives = |place: usize| rates(&decided)[place]["drives"].as_u64().unwrap();
+    assert_eq!((drives(0), drives(4)), (8, 2));
+}

@@ -21,6 +21,11 @@ fn hand_an_unwritable_place_is_told_before_the_run() {
         ("reproduce --out file", "file"),
         ("robustness --out file", "file"),
         ("mrf --per-camera cut-in --out file", "file"),
+        ("map cut-in --vary planner.min_gap_m=2:3 --out file", "file"),
+        (
+            "boundary cut-in --vary planner.min_gap_m=2:3 --out file",
+            "file",
+        ),
         ("run cut-in --trace folder", "cannot write `folder`: "),
         (
             "run cut-in --trace missing/t.csv",

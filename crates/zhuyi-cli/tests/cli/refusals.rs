@@ -3,7 +3,7 @@
 use crate::Bench;
 
 /// The command is refused, and tells all of this.
-fn refused(line: &str, told: &[&str]) {
+pub fn refused(line: &str, told: &[&str]) {
     let ran = Bench::new().zhuyi(line);
     assert_eq!(
         (ran.code, ran.out.as_str()),
@@ -122,6 +122,18 @@ fn hand_ranges() {
         &["a frame rate must be 1 to 1000, got 0"],
     );
     refused("mrf cut-in --fpr 1:1001", &["got 1001", "--fpr:1:3"]);
+    refused(
+        "mrf cut-in --phases 0 --at-most 1",
+        &[
+            "the number of phases must be 1 to 1000, got 0",
+            "a chance of a collision that is allowed must be 0.0001 to 0.9999, got 1",
+            "--at-most:1:1",
+        ],
+    );
+    refused(
+        "mrf cut-in --per-camera --phases 3",
+        &["cannot be used with"],
+    );
     refused(
         "mrf cut-in --fpr 1:NaN",
         &["expected a whole number, got `NaN`"],

@@ -202,6 +202,9 @@ impl Road {
 
     /// The piece that holds `s`.
     fn piece(&self, s: f64) -> &Piece {
+        if let [only] = self.pieces.as_slice() {
+            return only;
+        }
         let behind = self.pieces.partition_point(|piece| piece.start <= s);
         &self.pieces[behind.saturating_sub(1)]
     }

@@ -5,7 +5,8 @@ use std::fs::{self, File};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-use super::{BatchError, Made, Plan, merge};
+use super::merge::{self, Tell};
+use super::{BatchError, Plan};
 use crate::error::{Attempt, LabError};
 use crate::results::{Draft, prepare};
 
@@ -114,19 +115,17 @@ impl<'a> Folder<'a> {
     ///
     /// # Errors
     /// When blocks are missing or are not what the plan says, or when reading or writing fails.
-    pub fn finish(&self) -> Result<Vec<Made>, BatchError> {
+    pub fn finish(&self, tell: Tell<'_>) -> Result<(), BatchError> {
         if self.finished {
-            let made = merge::read_all(self.plan, &self.dir.join(RUNS))?;
-            self.tidy()?;
-            return Ok(made);
+            merge::read_all(self.plan, &self.dir.join(RUNS), tell)?;
+            return Ok(self.tidy()?);
         }
-        let made = merge::assemble(self.plan, std::slice::from_ref(&self.dir), &self.dir)?;
+        merge::assemble(self.plan, std::slice::from_ref(&self.dir), &self.dir, tell)?;
         // Renamed first, so that a kill does not leave a part of the blocks, which would look like a sweep under way.
         let (blocks, spent) = (self.dir.join(BLOCKS), self.dir.join(SPENT));
         remove(&spent)?;
         fs::rename(&blocks, &spent).map_err(Attempt::Rename.on(&spent))?;
-        self.tidy()?;
-        Ok(made)
+        Ok(self.tidy()?)
     }
 
     /// Removes the spent blocks and what killed processes have left half written.
@@ -195,7 +194,7 @@ fn remove(dir: &Path) -> Result<(), LabError> {
 
 /// Removes what killed processes have left half written.
 fn remove_drafts(dir: &Path) -> Result<(), LabError> {
-    let ours = [PLAN, RUNS, "writable"].map(|name| format!(".{name}."));
+    let ours = [PLAN, RUNS, "runs.parquet", "writable"].map(|name| format!(".{name}."));
     for entry in fs::read_dir(dir).map_err(Attempt::Read.on(dir))? {
         let entry = entry.map_err(Attempt::Read.on(dir))?;
         let name = entry.file_name();

@@ -91,8 +91,8 @@ impl Batch<'_> {
 
     fn columns(&self) -> Columns {
         Columns {
-            varied: self.plan.varied.clone(),
-            reason: true,
+            varied: self.plan.varied_columns(),
+            of_sweep: true,
             ..Columns::of(self.base)
         }
     }

@@ -1,14 +1,14 @@
 //! From blocks to one table, with every run there exactly once.
 
 use std::fs::{self, File};
-use std::io::{BufWriter, Write};
+use std::io::{BufReader, BufWriter, Read, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use csv::StringRecord;
 
 use super::blocks::{PLAN, RUNS, block_path, complete, flush_names, is_under_way, known_plan};
-use super::{BatchError, Plan};
+use super::{BatchError, Plan, Run};
 use crate::error::Attempt;
 use crate::results::{Draft, prepare};
 use crate::runs::{NAMED_BY, OUTCOME};
@@ -48,11 +48,14 @@ impl Made {
     }
 }
 
-/// Merges the folders of the shards of one sweep into another folder, and tells the plan and what its runs came to.
+/// Is told what each run came to, in order: a sweep may have more runs than a list of them has room for.
+pub type Tell<'a> = &'a mut dyn FnMut(&Plan, Run, Made);
+
+/// Merges the folders of the shards of one sweep into another folder, tells what its runs came to and gives its plan.
 ///
 /// # Errors
 /// When they are not of one plan, or a run is missing or there twice, or reading or writing fails.
-pub fn merge(dirs: &[PathBuf], out: &Path) -> Result<(Plan, Vec<Made>), BatchError> {
+pub fn merge(dirs: &[PathBuf], out: &Path, tell: Tell<'_>) -> Result<Plan, BatchError> {
     let mut plan: Option<Plan> = None;
     for dir in dirs {
         let Some(known) = known_plan(dir)? else {
@@ -81,22 +84,27 @@ pub fn merge(dirs: &[PathBuf], out: &Path) -> Result<(Plan, Vec<Made>), BatchErr
         });
     }
     prepare(out)?;
-    let made = assemble(&plan, dirs, out)?;
+    assemble(&plan, dirs, out, tell)?;
     Draft::write(out, PLAN, &plan.json())?.rename(&out.join(PLAN))?;
     flush_names(out);
-    Ok((plan, made))
+    Ok(plan)
 }
 
 /// Puts the blocks in some folders together to `runs.csv` in another.
-pub(super) fn assemble(plan: &Plan, dirs: &[PathBuf], out: &Path) -> Result<Vec<Made>, BatchError> {
+pub(super) fn assemble(
+    plan: &Plan,
+    dirs: &[PathBuf],
+    out: &Path,
+    tell: Tell<'_>,
+) -> Result<(), BatchError> {
     let places = places(plan, dirs)?;
     let (draft, file) = Draft::begin(out, RUNS)?;
     let mut writer = BufWriter::new(file);
     let mut header: Option<String> = None;
-    let mut made = Vec::new();
-    for (number, path) in (0..).zip(&places) {
+    for (number, dir) in (0..).zip(places) {
+        let path = &block_path(dir, number);
         let text = fs::read_to_string(path).map_err(Attempt::Read.on(path))?;
-        made.extend(check(plan, plan.block(number), path, &text)?);
+        check(plan, plan.block(number), path, text.as_bytes(), tell)?;
         let (first, rows) = text.split_once('\n').unwrap_or((&text, ""));
         let written = match &header {
             None => {
@@ -115,12 +123,12 @@ pub(super) fn assemble(plan: &Plan, dirs: &[PathBuf], out: &Path) -> Result<Vec<
     flushed.map_err(Attempt::Write.on(draft.path()))?;
     draft.rename(&out.join(RUNS))?;
     flush_names(out);
-    Ok(made)
+    Ok(())
 }
 
-/// Where each block is, which must be in one of the folders and no other.
-fn places(plan: &Plan, dirs: &[PathBuf]) -> Result<Vec<PathBuf>, BatchError> {
-    let mut found: Vec<Option<&PathBuf>> = vec![None; plan.blocks() as usize];
+/// The folder that each block is in, which must be in one of the folders and no other.
+fn places<'d>(plan: &Plan, dirs: &'d [PathBuf]) -> Result<Vec<&'d Path>, BatchError> {
+    let mut found: Vec<Option<&'d Path>> = vec![None; plan.blocks() as usize];
     for dir in dirs {
         for block in complete(dir)? {
             let path = || block_path(dir, block);
@@ -129,7 +137,7 @@ fn places(plan: &Plan, dirs: &[PathBuf]) -> Result<Vec<PathBuf>, BatchError> {
                 Some(Some(one)) => {
                     return Err(BatchError::Twice {
                         block,
-                        one: one.clone(),
+                        one: one.to_path_buf(),
                         two: dir.clone(),
                     });
                 }
@@ -145,35 +153,35 @@ fn places(plan: &Plan, dirs: &[PathBuf]) -> Result<Vec<PathBuf>, BatchError> {
         let blocks = plan.blocks();
         return Err(BatchError::Incomplete { missing, blocks });
     }
-    Ok(numbered()
-        .filter_map(|(number, place)| place.map(|dir| block_path(dir, number)))
-        .collect())
+    Ok(found.into_iter().flatten().collect())
 }
 
-/// What the runs of a finished table came to.
-pub(super) fn read_all(plan: &Plan, path: &Path) -> Result<Vec<Made>, BatchError> {
-    let text = fs::read_to_string(path).map_err(Attempt::Read.on(path))?;
-    check(plan, 0..plan.runs(), path, &text)
+/// Tells what the runs of a finished table came to.
+pub(super) fn read_all(plan: &Plan, path: &Path, tell: Tell<'_>) -> Result<(), BatchError> {
+    let file = File::open(path).map_err(Attempt::Read.on(path))?;
+    check(plan, 0..plan.runs(), path, BufReader::new(file), tell)
 }
 
-/// What the runs of a table came to, which must be those at these places, in their order.
+/// Tells what the runs of a table came to, which must be those at these places, in their order.
 fn check(
     plan: &Plan,
     places: Range<u64>,
     path: &Path,
-    text: &str,
-) -> Result<Vec<Made>, BatchError> {
-    plan.made(places, text)
+    text: impl Read,
+    tell: Tell<'_>,
+) -> Result<(), BatchError> {
+    plan.made(places, text, tell)
         .map_err(|reason| damaged(path, &reason))
 }
 
 impl Plan {
-    /// What the runs of a table, `runs.csv` or one of its blocks, came to, which must be those at these places, in their order.
+    /// Tells what the runs of a table, `runs.csv` or one of its blocks, came to, which must be those at these places, in
+    /// their order.
     ///
     /// # Errors
     /// When it is another table.
-    pub fn made(&self, places: Range<u64>, text: &str) -> Result<Vec<Made>, String> {
-        let mut reader = csv::Reader::from_reader(text.as_bytes());
+    pub fn made(&self, places: Range<u64>, text: impl Read, tell: Tell<'_>) -> Result<(), String> {
+        let mut reader = csv::Reader::from_reader(text);
         let no_table = |error: csv::Error| error.to_string();
         let mut names: Vec<&str> = NAMED_BY.into();
         names.extend(self.varied.iter().map(String::as_str));
@@ -183,26 +191,28 @@ impl Plan {
         if !header.iter().take(names.len()).eq(names.iter().copied()) {
             return Err("its header is another".to_string());
         }
-        let mut made = Vec::new();
         let mut expected = places.clone();
+        let reached = |expected: &Range<u64>| expected.start - places.start;
         let mut row = StringRecord::new();
         while reader.read_record(&mut row).map_err(no_table)? {
-            let fields = expected.next().map(|place| self.fields(self.run(place)));
-            let is_meant = fields.is_some_and(|fields| fields.iter().eq(row.iter().take(outcome)));
-            let Some(found) = row.get(outcome).and_then(Made::named).filter(|_| is_meant) else {
-                return Err(format!("its run {} is another", made.len() + 1));
+            let before = reached(&expected);
+            let run = expected.next().map(|place| self.run(place));
+            let is_meant = |run: &Run| self.fields(*run).iter().eq(row.iter().take(outcome));
+            let made = row.get(outcome).and_then(Made::named);
+            let Some((run, made)) = run.filter(is_meant).zip(made) else {
+                return Err(format!("its run {} is another", before + 1));
             };
-            made.push(found);
+            tell(self, run, made);
         }
-        if expected.next().is_some() {
-            let count = places.end - places.start;
-            return Err(format!("it has {} of {count} runs", made.len()));
+        if !expected.is_empty() {
+            let (found, count) = (reached(&expected), places.end - places.start);
+            return Err(format!("it has {found} of {count} runs"));
         }
-        Ok(made)
+        Ok(())
     }
 }
 
-fn damaged(path: &Path, reason: &str) -> BatchError {
+pub(super) fn damaged(path: &Path, reason: &str) -> BatchError {
     BatchError::Damaged {
         path: path.to_path_buf(),
         reason: reason.to_string(),

@@ -25,12 +25,16 @@ mod blocks;
 mod error;
 mod make;
 mod merge;
+#[cfg(feature = "parquet")]
+pub mod parquet;
 mod plan;
 mod sample;
+mod table;
 
 pub use blocks::{Folder, Shard};
 pub use error::BatchError;
 pub use make::Batch;
-pub use merge::{Made, merge};
-pub use plan::{Named, Plan, Run, SCHEMA};
+pub use merge::{Made, Tell, merge};
+pub use plan::{Named, Plan, Run, SCHEMA, schema};
 pub use sample::{Distribution, Sampling, samples};
+pub use table::table;

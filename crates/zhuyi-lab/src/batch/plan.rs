@@ -2,10 +2,14 @@
 
 use std::ops::Range;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use zhuyi_scenario::Source;
 
 use super::BatchError;
+use crate::columns::{Column, Kind};
+use crate::schema;
 
 /// The version of `plan.json` and of the columns of `runs.csv` beside it.
 pub const SCHEMA: u32 = 1;
@@ -20,10 +24,10 @@ const MOST_RUNS: usize = 1_000_000_000_000;
 pub(super) const PART: &str = "sweep";
 
 /// A sweep as meant. Two sweeps of the same plan have the same `runs.csv`, to the last byte.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Plan {
-    /// [`SCHEMA`].
+    /// Version of this file and of the columns of `runs.csv`.
     pub schema: u32,
     /// The program's version.
     pub version: String,
@@ -54,7 +58,7 @@ pub struct Plan {
 }
 
 /// A file by its name.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Named {
     /// Its name in rows.
@@ -79,11 +83,18 @@ pub struct Run {
 }
 
 /// `plan.json`: a plan under its hash.
-#[derive(Serialize, Deserialize)]
+#[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct File {
+    /// BLAKE3 of the plan.
     blake3: String,
+    /// The plan.
     plan: Plan,
+}
+
+/// What `plan.json` is made of, as JSON Schema.
+pub fn schema() -> Value {
+    schema::document::<File>("plan", SCHEMA)
 }
 
 impl Named {
@@ -149,6 +160,20 @@ impl Plan {
         ];
         fields.extend(self.points[run.point].iter().cloned());
         fields
+    }
+
+    /// The columns of what is varied.
+    pub(crate) fn varied_columns(&self) -> Vec<Column> {
+        let column = |(place, path): (usize, &String)| {
+            let values = self.points.iter().map(|point| point[place].as_str());
+            Column {
+                name: path.clone().into(),
+                kind: Kind::of(&values.collect::<Vec<_>>()),
+                unit: "",
+                meaning: format!("the value of {path}, as RON, in the unit of its name").into(),
+            }
+        };
+        self.varied.iter().enumerate().map(column).collect()
     }
 
     /// What tells it from every other plan.

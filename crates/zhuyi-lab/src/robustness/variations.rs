@@ -91,7 +91,7 @@ pub(super) fn variations(plan: &Plan) -> Vec<Variation> {
 }
 
 /// A scenario with every distance scaled: what manoeuvres wait for, and gaps ahead at the start.
-fn scaled(scenario: &Scenario, factor: f64) -> Scenario {
+pub(crate) fn scaled(scenario: &Scenario, factor: f64) -> Scenario {
     let mut scenario = scenario.clone();
     for actor in &mut scenario.actors {
         if let Place::Ahead(gap) = &mut actor.start.along {

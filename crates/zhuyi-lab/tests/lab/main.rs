@@ -8,12 +8,14 @@
 //! - `moves`: the file of `zhuyi robustness` on a small plan;
 //! - `compare`: the audit of all models against hand counts and replays, and its files;
 //! - `per_camera`: the search for a rate of each camera against every combination, and its files;
+//! - `choices`: maps over two factors, and the border search against the full grid;
 //! - `beyond`: the file of `zhuyi beyond`.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 mod allocate;
 mod beyond;
+mod choices;
 mod claims;
 mod compare;
 mod determinism;

@@ -86,6 +86,29 @@ fn hand_a_set_phase_replaces_the_drawn_one_and_moves_no_other() {
 }
 
 #[test]
+fn law_a_shift_moves_every_phase_by_the_same_share_and_goes_round() {
+    let first = |phase_shift: f64| {
+        let shifted = Perception {
+            phase_shift,
+            ..perception(vec![eye(0.0, 120.0), eye(180.0, 120.0)])
+        };
+        let frames = frames(&shifted, &[20.0, 10.0], millis(400));
+        // Shares of 50 and of 100 ms.
+        [(0, 20.0), (1, 10.0)]
+            .map(|(camera, hz)| of(&frames, CameraId(camera))[0].exposed.seconds() * hz)
+    };
+    let drawn = first(0.0);
+    for shift in [0.25, 0.5, 0.75] {
+        for (moved, drawn) in first(shift).into_iter().zip(drawn) {
+            assert!(
+                (moved - (drawn + shift).fract()).abs() < 1e-6,
+                "{moved} of {drawn}"
+            );
+        }
+    }
+}
+
+#[test]
 fn law_frames_come_in_order_of_ready_then_camera() {
     let slow = Eye {
         latency: Some(0.3),

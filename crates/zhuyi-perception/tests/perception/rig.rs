@@ -43,6 +43,7 @@ pub fn eye(yaw_degrees: f64, fov_degrees: f64) -> Eye {
 pub fn perception(eyes: Vec<Eye>) -> Perception {
     Perception {
         eyes,
+        phase_shift: 0.0,
         visible_share: 0.5,
         noise_along: 0.0,
         noise_across: 0.0,

@@ -2,12 +2,14 @@
 //!
 //! ```text
 //!  computed:   throughput ─▶ [throughput]      Course ─▶ [latencies]      Foresight ─▶ [online]      Map ─▶ [sensitivity]
+//!              maps::Map ─▶ [maps], for `zhuyi map`
 //!  committed:  table1.csv ─▶ [estimates]       allocation.csv ─▶ [budget] mrf_per_camera.csv ─▶ [per_camera]
 //! ```
 
 pub mod budget;
 pub mod estimates;
 pub mod latencies;
+pub mod maps;
 pub mod online;
 pub mod per_camera;
 pub mod sensitivity;

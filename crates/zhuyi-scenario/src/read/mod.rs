@@ -7,6 +7,7 @@ mod estimator;
 mod layout;
 mod manoeuvre;
 mod online;
+mod plan;
 mod planner;
 mod rig;
 mod road;
@@ -14,6 +15,7 @@ mod scenario;
 mod system;
 mod vehicle;
 
+pub(crate) use plan::plan;
 pub(crate) use scenario::scenario;
 pub(crate) use system::system;
 

@@ -32,6 +32,7 @@ pub(super) fn perception(node: &Node, vehicle: Option<&Vehicle>) -> Option<Rig> 
         let (eyes, rates) = eyes.map(|eyes| eyes.into_iter().unzip()).unzip();
         let perception = read_all!(Perception {
             eyes,
+            phase_shift: fields.number_or("phase_shift", SHARE, 0.0),
             visible_share: fields.number("visible_share", within(0.0, 1.0)),
             noise_along: fields.number("noise_along_m", within(0.0, 10.0)),
             noise_across: fields.number("noise_across_m", within(0.0, 10.0)),

@@ -64,6 +64,7 @@ fn perception(system: &System) -> Value {
         .first()
         .map(|eye| ("confirm_frames", Whole(eye.confirm_frames)));
     let shared = [
+        ("phase_shift", Number(perception.phase_shift)),
         ("visible_share", Number(perception.visible_share)),
         ("noise_along_m", Number(perception.noise_along)),
         ("noise_across_m", Number(perception.noise_across)),

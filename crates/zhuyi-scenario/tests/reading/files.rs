@@ -98,6 +98,7 @@ fn law_shown_reads_back_equal_with_every_variant_and_odd_numbers() {
         "perception.phase_share=0.25",
         "perception.latency_jitter_ms=33.3",
         "perception.drop_rate=0.015",
+        "perception.phase_shift=0.125",
         "perception.cameras.rear.phase_share=0.5",
         "perception.cameras.rear.rate_hz=12.5",
         "vehicle.max_steering_deg=33.3",

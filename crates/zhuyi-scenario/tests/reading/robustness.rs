@@ -4,7 +4,7 @@ use crate::texts::SYSTEM;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use std::sync::LazyLock;
-use zhuyi_scenario::{Invalid, Rule, Scenario, Setting, Source, System, Violation, embedded};
+use zhuyi_scenario::{Invalid, Plan, Rule, Scenario, Setting, Source, System, Violation, embedded};
 
 static DEFAULT: LazyLock<System> =
     LazyLock::new(|| System::read(&Source::new("default.ron", embedded::system()), &[]).unwrap());
@@ -16,18 +16,19 @@ fn read(text: &str) -> [Option<Invalid>; 2] {
         Scenario::read(&source, &DEFAULT, &[]).err(),
         System::read(&source, &[]).err(),
     ];
-    for invalid in refusals.iter().flatten() {
+    let (_, plan) = Plan::read(&source);
+    for invalid in refusals.iter().flatten().chain(plan.as_ref().err()) {
         assert!(!invalid.violations().is_empty());
         assert!(invalid.render(true).contains("fuzzed.ron"));
     }
     refusals
 }
 
-/// The nine scenarios and the system.
+/// The nine scenarios, the system and the plan.
 fn files() -> Vec<&'static str> {
     embedded::names()
         .filter_map(embedded::scenario)
-        .chain([embedded::system()])
+        .chain([embedded::system(), embedded::plan()])
         .collect()
 }
 
@@ -64,7 +65,7 @@ proptest! {
 
     #[test]
     fn law_mutated_files_never_panic(
-        file in 0_usize..10,
+        file in 0_usize..11,
         mutations in prop::collection::vec((any::<prop::sample::Index>(), 0_usize..12, 0_usize..SNIPPETS.len()), 1..6),
     ) {
         let mut text: Vec<char> = files()[file].chars().collect();

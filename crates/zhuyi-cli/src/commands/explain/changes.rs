@@ -4,6 +4,7 @@
 //! the first value that saves it, counted from what it is; of all things the one with the smallest `|to - from| / from`, the
 //! first of the list among equals. That a value saves the drive says nothing of those beyond it, which may collide again.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 use zhuyi_core::FrameRates;
 use zhuyi_lab::rates::spelt;
@@ -21,7 +22,7 @@ const STEP: f64 = 0.05;
 const MOST: f64 = 3.0;
 
 /// A thing that was changed, and how much was needed.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Change {
     /// What was changed.
     pub what: String,

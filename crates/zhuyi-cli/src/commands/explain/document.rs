@@ -2,6 +2,7 @@
 //!
 //! The document is stable: fields are added, never renamed. Units stand in the names; what there is not is `null`.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 use zhuyi_core::SimTime;
 use zhuyi_sim::{Cause, Outcome};
@@ -12,7 +13,7 @@ use crate::commands::run::summary::{Collision, collision};
 use crate::shell;
 
 /// Why a drive ended as it did.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct Explanation {
     /// Name of the scenario.
     pub scenario: String,
@@ -39,7 +40,7 @@ pub struct Explanation {
 }
 
 /// The stages on the way to a collision.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct Waterfall {
     /// `came_into_sight`, `became_dangerous` or `never_dangerous`.
     pub cause: &'static str,
@@ -58,7 +59,7 @@ pub struct Waterfall {
 }
 
 /// A stage, reached or not.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct Reached {
     /// Its name.
     pub stage: &'static str,

@@ -3,6 +3,7 @@
 //! The document is stable: fields are added, never renamed. Units stand in the names: `_s`, `_m`, `_mps` (m/s), `_mps2` (m/s2),
 //! `_rad`, `_fpr` (frames per second). What there is not is `null`.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 use zhuyi_core::{ActorId, Manoeuvre, Pose, SimTime};
 use zhuyi_estimator::Estimator;
@@ -20,7 +21,7 @@ use crate::shell;
 const FULL_RATE: f64 = 30.0;
 
 /// One drive.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct Summary {
     /// Version of the program.
     pub version: &'static str,
@@ -63,7 +64,7 @@ pub struct Summary {
 }
 
 /// The first contact of the ego.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct Collision {
     /// [s] when.
     pub time_s: f64,
@@ -76,7 +77,7 @@ pub struct Collision {
 }
 
 /// What a contact did.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct Crash {
     /// [m/s] closing speed along the contact normal.
     pub impact_speed_mps: f64,
@@ -91,7 +92,7 @@ pub struct Crash {
 }
 
 /// What became of a body.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct AtRest {
     /// [m/s] change of its velocity by the impact.
     pub delta_v_mps: f64,
@@ -116,7 +117,7 @@ pub struct AtRest {
     clippy::struct_excessive_bools,
     reason = "findings that do not exclude each other"
 )]
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct Estimate {
     /// Whether it covers the time up to a contact only.
     pub until_contact: bool,
@@ -133,7 +134,7 @@ pub struct Estimate {
 }
 
 /// The safety check over a drive with the estimate in the loop.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct Alarms {
     /// Decisions at which some camera's rate was below its demand.
     pub checks_with_alarm: usize,
@@ -144,7 +145,7 @@ pub struct Alarms {
 }
 
 /// A camera over a drive.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct Camera {
     /// Its name.
     pub name: String,

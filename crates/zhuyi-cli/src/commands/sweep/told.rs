@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use zhuyi_lab::batch::{Made, Plan};
+use zhuyi_lab::batch::{Made, Plan, Run};
 
 use super::super::grid::{REQUIRED, legend, required_cells};
 use crate::tables::table;
@@ -11,61 +11,108 @@ use crate::tables::table;
 const MOST_ROWS: usize = 40;
 
 /// The minimum required rate at every point, what could not be made, and where the rows are.
-pub fn told(plan: &Plan, made: &[Made], out: &Path) -> String {
-    let mut names = vec!["scenario"];
-    names.extend(plan.varied.iter().map(String::as_str));
-    names.extend(REQUIRED);
-    let mut rows = table(&names, &[names.len() - 3]);
-    let per_point = plan.rates_hz.len() * plan.seeds as usize;
-    let points = made.chunks(per_point);
-    let count = points.len();
-    for (place, made) in points.enumerate().take(MOST_ROWS) {
-        let run = plan.run((place * per_point) as u64);
-        let mut cells = vec![plan.scenarios[run.scenario].name.clone()];
-        cells.extend(plan.points[run.point].iter().cloned());
-        cells.extend(required_or_not(plan, made, per_point));
-        rows.add_row(cells);
-    }
-    let more = match count.saturating_sub(MOST_ROWS) {
-        0 => String::new(),
-        more => format!("and {more} more combinations\n"),
-    };
-    format!(
-        "{}\n{more}\n{}\n{}{} drives in {}{}\n",
-        rows.trim_fmt(),
-        legend(plan.rates_hz.len(), plan.seeds),
-        not_made(made),
-        made.len(),
-        out.join("runs.csv").display(),
-        limited(plan)
-    )
+#[derive(Debug, Default)]
+pub struct Told {
+    rows: Vec<Vec<String>>,
+    /// How many points there are, with those that have no row.
+    points: usize,
+    /// The point under way.
+    point: Point,
+    drives: u64,
+    refused: u64,
+    failed: u64,
 }
 
-/// The MRF, where all its drives were made.
-fn required_or_not(plan: &Plan, made: &[Made], per_point: usize) -> [String; 3] {
-    let whole = made.len() == per_point
-        && made
-            .iter()
-            .all(|made| matches!(made, Made::Completed | Made::Collision));
-    if !whole {
-        return ["-", "not all were made", ""].map(String::from);
-    }
-    let collided = |made: &&Made| **made == Made::Collision;
-    let rates = plan.rates_hz.iter().copied();
-    let counts = made
-        .chunks(plan.seeds as usize)
-        .map(|made| made.iter().filter(collided).count() as u32);
-    required_cells(&rates.zip(counts).collect::<Vec<_>>())
+/// A point so far.
+#[derive(Debug, Default)]
+struct Point {
+    first: Option<Run>,
+    /// How many drives were made.
+    made: u64,
+    /// How many of them collided, of each rate so far.
+    collided: Vec<(u32, u32)>,
 }
 
-/// How many drives have a reason instead of figures.
-fn not_made(made: &[Made]) -> String {
-    let count = |which: Made| made.iter().filter(|made| **made == which).count();
-    match (count(Made::Refused), count(Made::Failed)) {
-        (0, 0) => String::new(),
-        (refused, failed) => {
-            format!("{refused} refused and {failed} failed: the column `reason` says why\n")
+impl Told {
+    /// The next drive, in the order of the plan.
+    pub fn add(&mut self, plan: &Plan, run: Run, made: Made) {
+        let place = |run: &Run| (run.scenario, run.point);
+        if self.point.first.as_ref().map(place) != Some(place(&run)) {
+            self.end_point(plan);
+            self.point.first = Some(run);
         }
+        let collided = u32::from(made == Made::Collision);
+        match self.point.collided.last_mut() {
+            Some((rate, count)) if *rate == run.rate => *count += collided,
+            _ => self.point.collided.push((run.rate, collided)),
+        }
+        match made {
+            Made::Completed | Made::Collision => self.point.made += 1,
+            Made::Refused => self.refused += 1,
+            Made::Failed => self.failed += 1,
+        }
+        self.drives += 1;
+    }
+
+    fn end_point(&mut self, plan: &Plan) {
+        let point = std::mem::take(&mut self.point);
+        let Some(run) = point.first else {
+            return;
+        };
+        self.points += 1;
+        if self.rows.len() < MOST_ROWS {
+            let mut cells = vec![plan.scenarios[run.scenario].name.clone()];
+            cells.extend(plan.points[run.point].iter().cloned());
+            cells.extend(point.required_or_not(plan));
+            self.rows.push(cells);
+        }
+    }
+
+    /// All that there is to say.
+    pub fn text(mut self, plan: &Plan, out: &Path) -> String {
+        self.end_point(plan);
+        let mut names = vec!["scenario"];
+        names.extend(plan.varied.iter().map(String::as_str));
+        names.extend(REQUIRED);
+        let mut rows = table(&names, &[names.len() - 3]);
+        let more = match self.points - self.rows.len() {
+            0 => String::new(),
+            more => format!("and {more} more combinations\n"),
+        };
+        rows.add_rows(self.rows);
+        let not_made = match (self.refused, self.failed) {
+            (0, 0) => String::new(),
+            (refused, failed) => {
+                format!("{refused} refused and {failed} failed: the column `reason` says why\n")
+            }
+        };
+        format!(
+            "{}\n{more}\n{}\n{not_made}{} drives in {}{}\n",
+            rows.trim_fmt(),
+            legend(plan.rates_hz.len(), plan.seeds),
+            self.drives,
+            out.join("runs.csv").display(),
+            limited(plan)
+        )
+    }
+}
+
+impl Point {
+    /// The MRF, where all its drives were made.
+    fn required_or_not(&self, plan: &Plan) -> [String; 3] {
+        if self.made == plan.rates_hz.len() as u64 * plan.seeds {
+            required_cells(&self.collided)
+        } else {
+            ["-", "not all were made", ""].map(String::from)
+        }
+    }
+}
+
+/// How many of what: `1 seed`, `2 seeds`.
+pub fn counted(count: u64, one: &str) -> String {
+    match count {
+        1 => format!("1 {one}"),
+        count => format!("{count} {one}s"),
     }
 }
 

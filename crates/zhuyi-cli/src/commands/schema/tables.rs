@@ -1,0 +1,67 @@
+//! The tables of the page `columns.md`.
+//!
+//! ```text
+//! ## name             a table
+//! what it is          the first line of text below
+//! | `column` | type | unit | meaning |
+//! ```
+
+use zhuyi_lab::columns::{Column, Kind, Table};
+
+/// The page.
+const PAGE: &str = include_str!("columns.md");
+
+/// Version of all these tables.
+const VERSION: u32 = 1;
+
+/// All of them, in the order of the page.
+pub fn tables() -> Vec<Table> {
+    let mut tables: Vec<Table> = Vec::new();
+    for line in PAGE.lines() {
+        if let Some(name) = line.strip_prefix("## ") {
+            tables.push(Table {
+                name,
+                version: VERSION,
+                meaning: "".into(),
+                columns: Vec::new(),
+            });
+        } else if let Some(table) = tables.last_mut() {
+            match column(line) {
+                Some(column) => table.columns.push(column),
+                None if table.meaning.is_empty() => table.meaning = line.into(),
+                None => {}
+            }
+        }
+    }
+    tables
+}
+
+/// The column that a line tells of, if it does.
+fn column(line: &'static str) -> Option<Column> {
+    let line = line.strip_prefix("| `")?.strip_suffix(" |")?;
+    let (name, rest) = line.split_once("` |")?;
+    let mut cells = rest.splitn(3, '|').map(str::trim);
+    let kinds = [Kind::Text, Kind::Whole, Kind::Number, Kind::Truth];
+    let kind = cells.next()?;
+    let kind = kinds.into_iter().find(|known| known.name() == kind)?;
+    Some(Column::fixed(name, kind, cells.next()?, cells.next()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{PAGE, tables};
+
+    #[test]
+    fn law_every_line_of_the_page_is_read() {
+        let lines = |start: &str| PAGE.lines().filter(|line| line.starts_with(start)).count();
+        let tables = tables();
+        let columns: usize = tables.iter().map(|table| table.columns.len()).sum();
+        assert_eq!((tables.len(), columns), (lines("## "), lines("| `")));
+        for table in tables {
+            assert!(
+                !table.meaning.is_empty() && !table.columns.is_empty(),
+                "{table:?}"
+            );
+        }
+    }
+}
