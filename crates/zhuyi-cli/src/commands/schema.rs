@@ -139,11 +139,11 @@ fn list() -> String {
     let mut text = "Documents, as JSON Schema:\n".to_string();
     // Writing to a string cannot fail.
     for (name, meaning, _) in DOCUMENTS {
-        let _ = writeln!(text, "  {name:<16}{meaning}");
+        let _ = writeln!(text, "  {name:<18}{meaning}");
     }
     text += "\nTables, as Frictionless Table Schema:\n";
     for table in all_tables() {
-        let _ = writeln!(text, "  {:<16}{}", table.name, table.meaning);
+        let _ = writeln!(text, "  {:<18}{}", table.name, table.meaning);
     }
-    text + "  DIR             runs.csv of the sweep in this folder\n"
+    text + "  DIR               runs.csv of the sweep in this folder\n"
 }
