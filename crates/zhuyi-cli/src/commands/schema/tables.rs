@@ -57,6 +57,9 @@ mod tests {
         let tables = tables();
         let columns: usize = tables.iter().map(|table| table.columns.len()).sum();
         assert_eq!((tables.len(), columns), (lines("## "), lines("| `")));
+        let names: std::collections::BTreeSet<&str> =
+            tables.iter().map(|table| table.name).collect();
+        assert_eq!(names.len(), tables.len(), "each once");
         for table in tables {
             assert!(
                 !table.meaning.is_empty() && !table.columns.is_empty(),
