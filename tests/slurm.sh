@@ -29,7 +29,11 @@ ReturnToService=2
 NodeName=localhost NodeAddr=127.0.0.1 CPUs=$(nproc)
 PartitionName=all Nodes=localhost Default=YES
 CONF
-stop() { for pid in slurmd.pid slurmctld.pid; do [ ! -s "$pid" ] || kill "$(cat "$pid")"; done; }
+stop() {
+    for pid in slurmd.pid slurmctld.pid; do [ ! -s "$pid" ] || kill "$(cat "$pid")"; done
+    sleep 2
+    rm -rf "$work"
+}
 trap stop EXIT
 munge -n > /dev/null 2>&1 || service munge start > /dev/null
 slurmctld

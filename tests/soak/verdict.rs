@@ -9,7 +9,7 @@
 //! | a run ends | it has a row for each step up to its duration or its contact |
 //! | the estimate answers | each demand is a positive finite rate |
 
-use zhuyi_core::{Body, Pose, Road, SimTime};
+use zhuyi_core::{Body, Footprint, Frenet, Pose, Road, SimTime};
 use zhuyi_estimator::Estimator;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::policy;
@@ -50,7 +50,8 @@ pub fn drive(
     let (run, asked) = run(case, scenario, system)?;
     numbers(&run)?;
     ending(&run, scenario)?;
-    boxes(&run, &scenario.road)?;
+    boxes(&run)?;
+    touch(&run, &scenario.road)?;
     let half_road = f64::from(scenario.road.lanes()) * scenario.road.lane_width() / 2.0;
     jumps(&run, half_road)?;
     let mut egos = run.trace.rows().map(|row| row.ego.road.d.abs());
@@ -148,16 +149,8 @@ fn ending(run: &Run, scenario: &Scenario) -> Result<(), String> {
             last < over && (last..=last + STEP.nanos()).contains(&collision.time.nanos())
         }
     };
-    let all = last
-        == STEP.nanos()
-            * (run
-                .trace
-                .rows()
-                .zip(1..)
-                .map(|(_, steps)| steps)
-                .last()
-                .unwrap_or(1)
-                - 1);
+    let mut steps = run.trace.rows().zip(0..);
+    let all = steps.all(|(row, step)| row.time.nanos() == step * STEP.nanos());
     let processed = run
         .frames
         .iter()
@@ -190,7 +183,7 @@ fn gap(one: &Body, other: &Body) -> f64 {
     along(one, other).max(along(other, one))
 }
 
-fn boxes(run: &Run, road: &Road) -> Result<(), String> {
+fn boxes(run: &Run) -> Result<(), String> {
     for row in run.trace.rows() {
         for (place, actor) in row.actors.iter().enumerate() {
             let gap = gap(row.ego, actor);
@@ -206,18 +199,21 @@ fn boxes(run: &Run, road: &Road) -> Result<(), String> {
             }
         }
     }
-    if let Outcome::Collision(collision) = &run.outcome {
-        let row = run.trace.row(run.trace.len() - 1);
-        let (ego, actor) = (row.ego, &row.actors[collision.actor.index()]);
-        // Both may speed up in the step, and turn.
-        let turn = [0, collision.actor.index() + 1].map(|place| turning(run, road, place));
-        let way = (ego.speed + actor.speed + 1.0) * STEP.seconds() + turn[0] + turn[1] + JUMP;
-        if gap(ego, actor) > way {
-            return Err(format!(
-                "touched from {} m away: {actor:?} {ego:?}",
-                gap(ego, actor)
-            ));
-        }
+    Ok(())
+}
+
+fn touch(run: &Run, road: &Road) -> Result<(), String> {
+    let Outcome::Collision(collision) = &run.outcome else {
+        return Ok(());
+    };
+    let row = run.trace.row(run.trace.len() - 1);
+    let (ego, actor) = (row.ego, &row.actors[collision.actor.index()]);
+    // Both may speed up in the step, and turn.
+    let turn = [0, collision.actor.index() + 1].map(|place| turning(run, road, place));
+    let way = (ego.speed + actor.speed + 1.0) * STEP.seconds() + turn[0] + turn[1] + JUMP;
+    let gap = gap(ego, actor);
+    if gap > way {
+        return Err(format!("touched from {gap} m away: {actor:?} {ego:?}"));
     }
     Ok(())
 }
@@ -298,4 +294,35 @@ fn hindsight(run: &Run, case: &Case, system: &System) -> Result<usize, String> {
 
 fn is_rate(number: f64) -> bool {
     number.is_finite() && number > 0.0
+}
+
+#[test]
+fn hand_gaps_of_two_boxes() {
+    let body = |x: f64, y: f64, heading: f64| Body {
+        footprint: Footprint {
+            length: 4.0,
+            width: 2.0,
+        },
+        road: Frenet { s: x, d: y },
+        pose: Pose::new(x, y, heading),
+        speed: 0.0,
+        accel: 0.0,
+        s_rate: 0.0,
+        d_rate: 0.0,
+    };
+    let here = body(0.0, 0.0, 0.0);
+    let across = std::f64::consts::FRAC_PI_2;
+    for (other, wanted) in [
+        (body(5.0, 0.0, 0.0), 1.0),
+        (body(1.0, 1.5, 0.0), -0.5),
+        // Half a length and half a width reach 3 m.
+        (body(3.5, 0.0, across), 0.5),
+        // Corner to corner at 45 degrees: 1/sqrt(2) of the way to a corner of each, 2 and 1 m from its centre.
+        (
+            body(4.0, 4.0, across / 2.0),
+            32_f64.sqrt() - 2.0 - 3.0 / 2_f64.sqrt(),
+        ),
+    ] {
+        assert!((gap(&here, &other) - wanted).abs() < 1e-12, "{other:?}");
+    }
 }

@@ -14,11 +14,18 @@ const WORK: f64 = 200_000.0;
 /// Drives a valid scenario as far as an input has time for, with the estimate in the loop and in hindsight.
 pub fn drive(scenario: &Scenario, system: &System) {
     let (bodies, cameras) = (scenario.actors.len() + 1, system.perception.eyes.len());
-    let fastest = system.default_rates.all().iter().copied().fold(1.0, f64::max);
+    let fastest = system
+        .default_rates
+        .all()
+        .iter()
+        .copied()
+        .fold(1.0, f64::max);
     let looks = (bodies * bodies * cameras) as f64 * (fastest / 100.0).max(1.0);
     let steps = ((WORK / looks) as usize).clamp(3, STEPS);
     let mut short = scenario.clone();
-    short.duration = short.duration.min(SimTime::from_nanos(steps as i64 * STEP.nanos()));
+    short.duration = short
+        .duration
+        .min(SimTime::from_nanos(steps as i64 * STEP.nanos()));
     let draws = Draws {
         root: 0,
         scenario: &scenario.name,
@@ -30,7 +37,13 @@ pub fn drive(scenario: &Scenario, system: &System) {
         .unwrap_or_else(|error| unreachable!("no program is asked: {error}"));
     for row in run.trace.rows() {
         for body in std::iter::once(row.ego).chain(row.actors) {
-            let numbers = [body.pose.x, body.pose.y, body.pose.heading, body.speed, body.accel];
+            let numbers = [
+                body.pose.x,
+                body.pose.y,
+                body.pose.heading,
+                body.speed,
+                body.accel,
+            ];
             assert!(numbers.iter().all(|number| number.is_finite()), "{body:?}");
         }
     }
@@ -38,7 +51,11 @@ pub fn drive(scenario: &Scenario, system: &System) {
     let hindsight = Hindsight::new(&run.trace, system, rates);
     let rows = run.trace.rows().step_by(50);
     let demands = rows.flat_map(|row| hindsight.demands(&estimator, &row));
-    for demand in asked.into_iter().flat_map(|asked| asked.demands).chain(demands) {
+    for demand in asked
+        .into_iter()
+        .flat_map(|asked| asked.demands)
+        .chain(demands)
+    {
         assert!(demand.fpr.is_finite() && demand.fpr > 0.0, "{demand:?}");
     }
 }

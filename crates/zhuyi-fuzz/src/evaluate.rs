@@ -1,18 +1,32 @@
-//! What reads as a recording must be told of: its evaluation and the files that tell it.
+//! What reads as a recording must be told of: its evaluation, the files that tell it, and its report.
 
+use zhuyi_core::Road;
 use zhuyi_estimator::criticality::Limits;
 use zhuyi_estimator::{Estimator, Watch};
 use zhuyi_log::files::{actors_csv, cameras_csv, criticality_csv};
 use zhuyi_log::{Consistency, Log, Replay, Summary, evaluate_with_criticality};
+
+use zhuyi_report::Recording;
 
 use crate::SYSTEM;
 
 /// Rows up to which a recording is evaluated.
 const ROWS: usize = 60;
 
-/// Evaluates a recording for its first vehicle.
-pub fn evaluate(log: &Log) {
-    let rows: usize = log.vehicles().iter().map(|vehicle| vehicle.rows.len()).sum();
+/// Evaluates a recording for its first vehicle, along its own path and on a straight road.
+pub fn evaluate(log: &Log, text: &str) {
+    let straight = Road::straight(2_000.0, 3, 3.5).ok();
+    for road in [None, straight.as_ref()] {
+        evaluate_on(log, text, road);
+    }
+}
+
+fn evaluate_on(log: &Log, text: &str, road: Option<&Road>) {
+    let rows: usize = log
+        .vehicles()
+        .iter()
+        .map(|vehicle| vehicle.rows.len())
+        .sum();
     let Some(ego) = log.vehicles().first().and_then(|first| log.find(&first.id)) else {
         return;
     };
@@ -33,7 +47,7 @@ pub fn evaluate(log: &Log) {
     };
     let estimator = Estimator::new(system.estimator.clone());
     let horizon = estimator.params().horizon;
-    let replay = Replay::new(log, ego, None, horizon);
+    let replay = Replay::new(log, ego, road, horizon);
     let evaluation = evaluate_with_criticality(&replay, &estimator, &rig, &limits);
     let _ = Summary::new(log, &evaluation, &rig, horizon);
     let _ = Consistency::new(log, ego);
@@ -44,4 +58,16 @@ pub fn evaluate(log: &Log) {
     ] {
         assert!(!text.contains("NaN"), "{text}");
     }
+    let recording = Recording {
+        name: "fuzzed".to_string(),
+        log,
+        ego,
+        road,
+        system,
+        rates: &system.default_rates,
+        version: "0",
+        command: String::new(),
+        text,
+    };
+    assert!(serde_json::to_string(&recording.document()).is_ok());
 }

@@ -20,7 +20,10 @@ fuzz_target!(|input: &[u8]| {
         demands,
         importance: 10.2,
     };
-    for (cameras, budget) in [(vec![camera("a")], 1.0), (vec![camera("a"), camera("b")], 20.0)] {
+    for (cameras, budget) in [
+        (vec![camera("a")], 1.0),
+        (vec![camera("a"), camera("b")], 20.0),
+    ] {
         let situation = Situation {
             time: 1.2,
             budget,
@@ -30,7 +33,11 @@ fuzz_target!(|input: &[u8]| {
         match judge(input, &situation) {
             Ok(rates) => {
                 assert_eq!(rates.len(), cameras.len());
-                assert!(rates.iter().all(|rate| (0.0..=30.0).contains(rate) && *rate > 0.0));
+                assert!(
+                    rates
+                        .iter()
+                        .all(|rate| (0.0..=30.0).contains(rate) && *rate > 0.0)
+                );
                 assert!(rates.iter().sum::<f64>() <= budget + 1e-9);
             }
             Err(fault) => assert!(!fault.to_string().is_empty()),

@@ -12,7 +12,10 @@ fuzz_target!(|input: &str| {
     let (one, two) = input.split_once("\n---\n").unwrap_or((input, ""));
     match Table::read(one) {
         Ok(table) => {
-            let shown: Vec<_> = worst(&table).iter().map(|worst| worst.shown(None, None)).collect();
+            let shown: Vec<_> = worst(&table)
+                .iter()
+                .map(|worst| worst.shown(None, None))
+                .collect();
             let document = document(&table, shown, "0", String::new());
             assert!(serde_json::to_string(&document).is_ok());
         }

@@ -10,7 +10,7 @@ fuzz_target!(|input: &str| {
         match Log::read(input, ego) {
             Ok(log) => {
                 if ego.is_none() {
-                    evaluate(&log);
+                    evaluate(&log, input);
                 }
             }
             Err(invalid) => assert!(!invalid.to_string().is_empty()),

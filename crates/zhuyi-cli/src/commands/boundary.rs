@@ -28,7 +28,7 @@ const AUDITS: usize = 20;
     mut_arg("scenarios", |arg| arg.required(false).help("\
 Scenarios' names (see zhuyi list) or paths of .ron files [default: all that come with the program]")),
     mut_arg("seeds", |arg| arg.help("\
-How many random drives a cell without a collision has: seeds 0, 1, .. of zhuyi run")),
+How many random drives a cell without a collision has: seeds 0, 1, .. of zhuyi run [default: 10]")),
     after_help = "\
 Examples:
   zhuyi boundary cut-out-fast --vary distances=0.8:1.2:0.01      printed alone: the MRF over a factor on all distances

@@ -11,10 +11,9 @@ use zhuyi_lab::columns::Table;
 use zhuyi_lab::{batch, manifest, runs};
 use zhuyi_scenario::{System, did_you_mean};
 
-use super::Task;
 use super::explain::document::Explanation;
-use super::mrf::document::Document as Minimum;
 use super::run::summary::Summary;
+use super::{Task, mrf};
 use crate::answer::Answer;
 use crate::argument::Argument;
 use crate::error::Error;
@@ -22,7 +21,7 @@ use crate::fault::Fault;
 use crate::inputs::default_system;
 use crate::problems::Problems;
 
-/// Version of `run --json`, `explain --json` and `mrf --json`: fields are added to them, never renamed.
+/// Version of what `--json` prints: fields are added to them, never renamed.
 const VERSION: u32 = 1;
 
 /// `zhuyi schema` as typed.
@@ -68,8 +67,8 @@ const DOCUMENTS: [Document; 5] = [
     ),
     (
         "mrf",
-        "zhuyi mrf --json: minimum required rates with intervals",
-        || zhuyi_lab::schema::document::<Minimum>("mrf", VERSION),
+        "zhuyi mrf --json: minimum required rates, and what they rest on",
+        || zhuyi_lab::schema::document::<mrf::document::Document>("mrf", VERSION),
     ),
     (
         "plan",

@@ -10,7 +10,7 @@ use crate::Bench;
 const RESULTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../results");
 
 /// What of JSON Schema our schemas are made of. Any other word is refused, so that nothing goes unchecked.
-const KNOWN: [&str; 14] = [
+const KNOWN: [&str; 17] = [
     "$schema",
     "$id",
     "$defs",
@@ -22,6 +22,9 @@ const KNOWN: [&str; 14] = [
     "required",
     "additionalProperties",
     "items",
+    "prefixItems",
+    "minItems",
+    "maxItems",
     "anyOf",
     "format",
     "minimum",
@@ -63,6 +66,13 @@ fn differs(root: &Value, schema: &Value, value: &Value, at: &str) -> Option<Stri
         return Some(format!("{at}: {value} is no {types:?}"));
     }
     match value {
+        Value::Array(entries) if schema["prefixItems"].is_array() => {
+            let each = schema["prefixItems"].as_array().unwrap();
+            let pairs = each.iter().zip(entries);
+            let mut found = pairs.map(|(schema, entry)| differs(root, schema, entry, at));
+            let lengths = (entries.len() != each.len()).then(|| format!("{at}: {value}"));
+            lengths.or_else(|| found.find_map(|difference| difference))
+        }
         Value::Array(entries) => entries
             .iter()
             .find_map(|entry| differs(root, &schema["items"], entry, &format!("{at}[]"))),
@@ -190,6 +200,8 @@ fn law_documents_are_what_their_schemas_say() {
     }
     bench.out("sweep cut-in --fpr 30 --seeds 1 --vary planner.min_gap_m=2:3 --limit 2 --out out");
     check_document(&bench, "plan", &bench.read("out/plan.json"));
+    let line = "mrf cut-out-fast cut-out --fpr 1:6 --seeds 2 --early-stop --json";
+    check_document(&bench, "mrf", &bench.out(line));
     check_document(&bench, "manifest", &results("manifest.json"));
     let mrf = "mrf cut-out-fast --fpr 5,30 --seeds 2 --json";
     check_document(&bench, "mrf", &bench.out(mrf));
@@ -204,6 +216,13 @@ fn law_tables_are_what_their_schemas_say() {
     bench.out("estimate trace.csv --road cut-in --out estimate");
     for name in ["actors", "cameras", "criticality"] {
         check_table(&bench, name, &bench.read(&format!("estimate/{name}.csv")));
+    }
+    let line = "cut-out-fast --vary perception.visible_share=[0.4,0.5,0.6] --fpr 2,30 --seeds 1";
+    bench.out(&format!("map {line} --out map"));
+    check_table(&bench, "map", &bench.read("map/map.csv"));
+    bench.out(&format!("boundary {line} --out boundary"));
+    for name in ["boundary", "boundary_samples"] {
+        check_table(&bench, name, &bench.read(&format!("boundary/{name}.csv")));
     }
     bench.out("estimate trace.csv --road cut-in --all-egos --out all");
     check_table(&bench, "egos", &bench.read("all/egos.csv"));
