@@ -117,7 +117,7 @@ fn hand_what_is_wrong_is_told_with_its_place() {
         (
             "Range(path",
             "(path",
-            "plan.ron:6:9: unknown kind of values `(path: \"actors.cutter.speed_mps\", from: 1 ..`",
+            "plan.ron:6:9: unknown kind of values `(path: \"actors.cutter.speed_mps\", from:  ..`",
         ),
     ] {
         assert!(PLAN.contains(from), "{from}");
