@@ -17,8 +17,9 @@
 //! frame whose latency dates from a slower rate can be overtaken by a later one of the same camera: it is then dropped
 //! and counted (reading R15); so it is with jitter of the latency, where a lucky frame overtakes an unlucky one. A picture
 //! may also be lost on its way: it is exposed and counted, and nobody processes it. To the tracker it was never taken,
-//! which is less than a miss: it does not begin the count of confirmation anew. Where frames queue for an accelerator, their latency is not known at the exposure: the
-//! loop then takes the pictures ([`Eyes::take_exposed`]) and brings them back when they are processed.
+//! which is less than a miss: it does not begin the count of confirmation anew. Where frames queue for an accelerator,
+//! their latency is not known at the exposure: the loop then takes the pictures ([`Eyes::take_exposed`]) and brings them
+//! back when they are processed.
 //!
 //! Source of J: Cervin, Lincoln, Eker, Årzén and Buttazzo, *The Jitter Margin and Its Application in the Design of Real-Time
 //! Control Systems*, 2004: a delay anywhere in [L, L + J]. So jitter only ever delays: to keep the mean latency, set the

@@ -247,7 +247,7 @@ fn covered(intervals: &mut [(f64, f64)]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::View;
+    use super::{Silhouette, View};
     use rand::{RngExt, SeedableRng};
     use rand_chacha::ChaCha8Rng;
     use zhuyi_core::{Camera, Footprint, Pose};
@@ -291,11 +291,19 @@ mod tests {
                 })
                 .collect();
             view.look_at_boxes(&camera, ego, boxes);
+            // All boxes told by their angles, whatever is plain.
+            let mut plainly = view.clone();
+            plainly.silhouettes.fill(Silhouette::Open);
             for which in 0..5 {
+                assert_eq!(
+                    view.share(which),
+                    plainly.share(which),
+                    "case {case}, box {which}"
+                );
                 for least in [0.0, 0.3, 0.5, 1.0 - 1e-9, 1.0] {
                     let quick =
                         crate::silhouette::sees(&view.silhouettes, which, view.range, least);
-                    let exact = view.sees_by_angles(which, least);
+                    let exact = plainly.sees_by_angles(which, least);
                     match quick {
                         Some(seen) => plain[usize::from(seen)] += 1,
                         None => open += 1,
