@@ -241,7 +241,9 @@ fn jumps(run: &Run, half_road: f64) -> Result<(), String> {
     for row in rows {
         for (place, (from, to)) in bodies(&before).zip(bodies(&row)).enumerate() {
             let moved = (to.pose.x - from.pose.x).hypot(to.pose.y - from.pose.y);
-            let way = from.speed.max(to.speed) * STEP.seconds();
+            // A step from one curvature into another takes one of them for the whole of it.
+            let bend = (from.s_rate - to.s_rate).abs();
+            let way = (from.speed.max(to.speed) + bend) * STEP.seconds();
             // Far beside a bend the road's coordinates have a pole; nothing but an ego that has lost the road gets there.
             let beside = from.road.d.abs() > half_road + LOST;
             if moved > way + JUMP && !beside {
