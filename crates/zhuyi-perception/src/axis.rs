@@ -94,7 +94,7 @@ impl Axis {
     pub fn predict(&self, time: f64, jerk_density: f64) -> Self {
         // The products of the matrices above, without their zeros.
         let (t, h, x, p) = (time, time * time / 2.0, &self.mean, &self.covariance);
-        let top = |p0: f64, p1: f64, p2: f64| p0 + t * p1 + h * p2;
+        let top = top_row(time);
         let middle = |p1: f64, p2: f64| p1 + t * p2;
         let rows = [
             [
@@ -152,7 +152,7 @@ impl Axis {
     /// [m] standard deviation of the position after `time` [s] without a measurement, as [`Axis::predict`] has it.
     pub fn deviation_after(&self, time: f64, jerk_density: f64) -> f64 {
         let (t, h, p) = (time, time * time / 2.0, &self.covariance);
-        let top = |p0: f64, p1: f64, p2: f64| p0 + t * p1 + h * p2;
+        let top = top_row(time);
         let first_row = (
             top(p.m11, p.m21, p.m31),
             top(p.m12, p.m22, p.m32),
@@ -161,6 +161,12 @@ impl Axis {
         let variance = top(first_row.0, first_row.1, first_row.2) + h * h * (jerk_density * t);
         variance.sqrt()
     }
+}
+
+/// The first row of F, to be multiplied by a column.
+fn top_row(t: f64) -> impl Fn(f64, f64, f64) -> f64 {
+    let h = t * t / 2.0;
+    move |p0, p1, p2| p0 + t * p1 + h * p2
 }
 
 #[cfg(test)]

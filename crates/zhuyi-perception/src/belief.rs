@@ -58,13 +58,13 @@ impl Belief {
     /// The actor as believed to be at `time`; as last seen, where that is later.
     pub fn track(&self, actor: ActorId, time: SimTime, params: &Perception) -> Track {
         let elapsed = self.elapsed(time);
-        let [_, s_rate, s_accel] = carry_forward(self.along.mean.into(), elapsed);
+        let ([s, s_rate, s_accel], d) = self.carried(elapsed);
         Track {
             actor,
             time: time.max(self.seen),
             seen: self.seen,
             footprint: self.footprint,
-            road: self.place(time),
+            road: Frenet { s, d },
             s_rate,
             s_accel,
             d_rate: self.across.mean.y,
@@ -79,12 +79,14 @@ impl Belief {
 
     /// The place of its centre then.
     pub fn place(&self, time: SimTime) -> Frenet {
-        let elapsed = self.elapsed(time);
-        let [s, _, _] = carry_forward(self.along.mean.into(), elapsed);
-        Frenet {
-            s,
-            d: self.across.mean.x + self.across.mean.y * elapsed,
-        }
+        let ([s, ..], d) = self.carried(self.elapsed(time));
+        Frenet { s, d }
+    }
+
+    /// The state along the road and the offset, `elapsed` seconds after the exposure.
+    fn carried(&self, elapsed: f64) -> ([f64; 3], f64) {
+        let along = carry_forward(self.along.mean.into(), elapsed);
+        (along, self.across.mean.x + self.across.mean.y * elapsed)
     }
 
     /// Its box, as last seen.

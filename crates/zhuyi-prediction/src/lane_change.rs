@@ -21,7 +21,11 @@ pub(crate) fn across(track: &Track, road: &Road, threshold: f64, pieces: &mut Ve
         });
         return;
     }
-    let goal = next_center(road, d, rate);
+    towards(next_center(road, d, rate), d, rate, pieces);
+}
+
+/// From the offset `d` at `rate` until `goal`, and no further.
+pub(crate) fn towards(goal: f64, d: f64, rate: f64, pieces: &mut Vec<Across>) {
     pieces.push(Across {
         time: 0.0,
         d,

@@ -10,11 +10,11 @@
 //! 3), with fixed probabilities in place of a classifier. Left out: that probabilities depend on the situation, and that
 //! actors react to each other.
 
-use zhuyi_core::{Across, Lane, Road, Track};
+use zhuyi_core::{Lane, Road, Track};
 
 use crate::Ways;
 use crate::constant::along;
-use crate::lane_change::across;
+use crate::lane_change::{across, towards};
 
 /// What an actor may do, and how likely.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,16 +68,7 @@ pub(crate) fn trajectories(
                 let goal = road.lane_center(Lane(lane));
                 let changes = ways.add(changing);
                 along(track, track.s_accel, &mut changes.along);
-                changes.across.push(Across {
-                    time: 0.0,
-                    d: track.road.d,
-                    d_rate: rate,
-                });
-                changes.across.push(Across {
-                    time: (goal - track.road.d) / rate,
-                    d: goal,
-                    d_rate: 0.0,
-                });
+                towards(goal, track.road.d, rate, &mut changes.across);
             }
         }
     }
