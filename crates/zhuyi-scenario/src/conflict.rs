@@ -36,16 +36,16 @@ pub enum Conflict {
     },
     /// Two boxes in one place at the start.
     #[error(
-        "`{name}` and `{other}` would overlap at the start by {along:.2} m along and {across:.2} m across the road"
+        "`{name}` and `{other}` would overlap at the start by {along:.3} m along and {across:.3} m across `{name}`"
     )]
     Overlap {
         /// Who.
         name: String,
         /// With whom.
         other: String,
-        /// [m] overlap along the road.
+        /// [m] how far the other reaches into it along its length.
         along: f64,
-        /// [m] overlap across the road.
+        /// [m] how far the other reaches into it across its length.
         across: f64,
     },
     /// An obstacle with a speed.

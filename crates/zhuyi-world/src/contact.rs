@@ -1,7 +1,7 @@
 //! First contact of the ego with another body within a step, whatever the speed.
 //!
 //! Over one step a body's centre moves along a line and its heading turns evenly. Three stages, each for the few pairs
-//! that the one before leaves:
+//! that the one before leaves; boxes that lie in each other from the start touch at the start:
 //! 1. `boxes`: a pair that one of the four axes parts during the whole step, with `|turn| r` to spare for each
 //!    body (no point of a box of circumscribed radius r is moved farther by its turning), cannot touch. In `f64`.
 //! 2. A cast of one box against the other by parry2d, linear where nothing turns, nonlinear where something does, and
@@ -24,7 +24,7 @@ use parry2d::shape::Cuboid;
 use zhuyi_core::geometry::wrap_angle;
 use zhuyi_core::{ActorId, Footprint, Pose};
 
-use boxes::{axes, into_frame, normal};
+use boxes::{Placed, axes, into_frame, normal};
 
 /// [m] movement by turning below the resolution of parry's `f32`: the body goes straight.
 const STRAIGHT: f64 = 1e-6;
@@ -147,9 +147,20 @@ fn touch(ego: &Motion, other: &Motion) -> Option<f64> {
     let encounter = Encounter::new(ego, other, before, after);
     if encounter.stays_apart() {
         None
+    } else if overlap((ego.footprint, ego.from), (other.footprint, other.from)).is_some() {
+        Some(0.0)
     } else {
         encounter.advance(encounter.cast()?)
     }
+}
+
+/// [m] how far one box reaches into another along its own length and across it, when they overlap by more than a touch.
+pub fn overlap(one: Placed, other: Placed) -> Option<(f64, f64)> {
+    let centre = one.1.local(other.1.point());
+    let gaps = axes(one.0, other.0, other.1.heading - one.1.heading).map(|axis| axis.gap(centre));
+    gaps.iter()
+        .all(|gap| *gap < -TOUCH)
+        .then_some((-gaps[0], -gaps[1]))
 }
 
 /// Whether a coordinate that moves from `start` to `end` stays beyond `reach` on one side.

@@ -1,20 +1,19 @@
 //! Where everything stands at the start: on the road, and nothing inside anything else.
 //!
-//! Boxes are compared along and across the road, in which all of them are aligned at the start.
+//! Boxes are compared where they stand in the world: in a bend two of them may touch that have a gap along the road.
 
 use crate::conflict::Conflict;
 use crate::model::EgoStart;
 use crate::node::Node;
-use zhuyi_core::{Footprint, Road};
+use zhuyi_core::{Footprint, Frenet, Road};
+use zhuyi_world::contact::overlap;
 use zhuyi_world::script::{Actor, Place};
 
 /// A box on the road with what errors call it by.
 struct Standing<'a, 'n> {
     name: &'n str,
-    /// [m] centre along the road.
-    s: f64,
-    /// [m] centre across it.
-    d: f64,
+    /// Its centre.
+    place: Frenet,
     footprint: Footprint,
     /// What errors point at.
     node: Node<'a>,
@@ -30,28 +29,30 @@ pub(super) fn check_start(
     let (footprint, start, node) = ego;
     let mut standing = vec![Standing {
         name: "ego",
-        s: start.s,
-        d: road.lane_center(start.lane),
+        place: Frenet {
+            s: start.s,
+            d: road.lane_center(start.lane),
+        },
         footprint,
         node: node.clone(),
     }];
     for (actor, node) in actors.iter().zip(nodes) {
         let Some(actor) = actor else { continue };
         let node = node.field("start").unwrap_or_else(|| node.clone());
-        let s = centre(actor, start.s, footprint);
-        let d = road.lane_center(actor.start.lane);
         standing.push(Standing {
             name: &actor.name,
-            s,
-            d,
+            place: Frenet {
+                s: centre(actor, start.s, footprint),
+                d: road.lane_center(actor.start.lane),
+            },
             footprint: actor.footprint,
             node,
         });
     }
     for (index, one) in standing.iter().enumerate() {
         let (rear, front) = (
-            one.s - one.footprint.length / 2.0,
-            one.s + one.footprint.length / 2.0,
+            one.place.s - one.footprint.length / 2.0,
+            one.place.s + one.footprint.length / 2.0,
         );
         if rear < 0.0 || front > road.length() {
             let (name, length) = (one.name.to_string(), road.length());
@@ -63,7 +64,7 @@ pub(super) fn check_start(
             });
         }
         for other in &standing[..index] {
-            check_apart(one, other);
+            check_apart(road, one, other);
         }
     }
 }
@@ -79,12 +80,9 @@ fn centre(actor: &Actor, ego: f64, footprint: Footprint) -> f64 {
     }
 }
 
-fn check_apart(one: &Standing, other: &Standing) {
-    let along =
-        f64::midpoint(one.footprint.length, other.footprint.length) - (one.s - other.s).abs();
-    let across =
-        f64::midpoint(one.footprint.width, other.footprint.width) - (one.d - other.d).abs();
-    if along > 0.0 && across > 0.0 {
+fn check_apart(road: &Road, one: &Standing, other: &Standing) {
+    let placed = |of: &Standing| (of.footprint, road.world_from_road(of.place));
+    if let Some((along, across)) = overlap(placed(one), placed(other)) {
         let rule = Conflict::Overlap {
             name: one.name.to_string(),
             other: other.name.to_string(),

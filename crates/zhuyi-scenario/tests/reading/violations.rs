@@ -303,7 +303,7 @@ fn hand_contradictions() {
             (
                 "Ahead(gap_m: 30)",
                 "Beside(offset_m: -3)",
-                "7:40 `lead` and `ego` would overlap at the start by 1.70 m along and 1.88 m across the road",
+                "7:40 `lead` and `ego` would overlap at the start by 1.700 m along and 1.875 m across `lead`",
             ),
             ("lane: 1", "lane: 2", "13:54 the actor is in lane 2 already"),
             (
@@ -501,9 +501,31 @@ error: unknown start `Somewhere`
 }
 
 #[test]
+fn regress_boxes_that_only_a_bend_brings_together() {
+    // 4.9 m from centre to centre along the middle of the road are 4.3 m along the inner lane of a bend of 30 m, too few for
+    // two boxes of 4.8 and 4.6 m.
+    let at = |gap| {
+        SCENARIO
+            .replace(
+                "Line(length_m: 1000)",
+                "Arc(length_m: 180, radius_m: 30), Line(length_m: 820)",
+            )
+            .replace("Ahead(gap_m: 30)", &format!("Ahead(gap_m: {gap})"))
+            .replace("lane: 2, s_m: 100", "lane: 3, s_m: 100")
+            .replace("lead\", lane: 2", "lead\", lane: 3")
+    };
+    let told = digest(&scenario(&at(0.2)).unwrap_err());
+    assert!(
+        told[0].contains("`lead` and `ego` would overlap at the start by 0.5"),
+        "{told:?}"
+    );
+    scenario(&at(2.0)).unwrap();
+}
+
+#[test]
 fn hand_two_places_are_drawn_together() {
     let expected = "\
-error: `lead` and `ego` would overlap at the start by 1.70 m along and 1.88 m across the road
+error: `lead` and `ego` would overlap at the start by 1.700 m along and 1.875 m across `lead`
  --> scenario.ron:7:40
   |
 4 |     ego: (lane: 2, s_m: 100, speed_mps: 20),

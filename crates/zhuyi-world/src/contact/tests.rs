@@ -186,6 +186,40 @@ fn hand_bodies_that_overlap_without_moving_touch() {
 }
 
 #[test]
+fn regress_boxes_that_part_from_an_overlap_touch_at_the_start() {
+    // 2.4 mm of a standing lorry's corner in the rear of an ego that leaves it at 27 m/s in a bend.
+    let lorry = Footprint {
+        length: 12.0,
+        width: 2.55,
+    };
+    let car = Footprint {
+        length: 4.8,
+        width: 1.9,
+    };
+    let (there, here) = (
+        Pose::new(0.0, 0.0, 0.050_374_6),
+        Pose::new(8.388_803, 0.433_564, 0.052_911_3),
+    );
+    let ego = Motion {
+        footprint: car,
+        from: here,
+        to: Pose::new(here.x + 0.2742, here.y + 0.0145, here.heading + 2e-4),
+    };
+    let standing = Motion {
+        footprint: lorry,
+        from: there,
+        to: there,
+    };
+    let (along, across) = overlap((car, here), (lorry, there)).unwrap();
+    assert!(
+        (along - 0.002_4).abs() < 1e-4 && across > 2.2,
+        "{along} {across}"
+    );
+    let found = contact(&ego, standing).unwrap();
+    assert_eq!((found.fraction, found.side), (0.0, Side::Rear));
+}
+
+#[test]
 fn law_no_tunnelling() {
     // A closing speed of 1,000 m/s, steps of 10 ms, then much more; a motorcycle's width across; turning or not.
     let thin = Footprint {
