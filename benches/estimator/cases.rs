@@ -16,7 +16,7 @@ use zhuyi_core::{Across, ActorId, Along, Footprint, Forecast, FrameRates, Trajec
 use zhuyi_estimator::criticality::{Limits, criticality};
 use zhuyi_estimator::rivals::Rivals;
 use zhuyi_estimator::samples::{Sample, trajectory};
-use zhuyi_estimator::{Ego, Estimate, Estimator, Future, Params, Recording};
+use zhuyi_estimator::{Ego, Estimate, Estimator, Future, Params, Playback, Recording};
 use zhuyi_scenario::{Source, embedded, load};
 use zhuyi_sim::{Draws, Simulation, Trace, recorded};
 
@@ -242,9 +242,9 @@ pub fn whole_run() -> Vec<Case> {
     vec![
         drive.plain("pieces_plain", merged()),
         drive.recorded("pieces", merged()),
-        drive.recorded_after("pieces_after", merged()),
+        drive.played("pieces_after", merged()),
         drive.recorded("steps", stepwise()),
-        drive.recorded_after("steps_after", stepwise()),
+        drive.played("steps_after", stepwise()),
     ]
 }
 
@@ -284,32 +284,33 @@ impl Drive {
         Self { trace, egos }
     }
 
-    /// A case that asks `answer` about each actor at each step, the answer of the step before at hand.
+    /// A case that asks `answer` about each actor at each step.
     fn case<F: 'static>(
         &self,
         name: &'static str,
         futures: Vec<F>,
-        answer: impl Fn(&Ego, &F, f64, Option<&Estimate>) -> Estimate + 'static,
+        answer: impl Fn(&Ego, &F, f64) -> Estimate + 'static,
+    ) -> Case {
+        self.case_of_courses(name, futures, move |egos, future| {
+            for (now, ego) in egos {
+                black_box(answer(black_box(ego), future, *now));
+            }
+        })
+    }
+
+    /// A case that has `ask` ask about each actor at each step.
+    fn case_of_courses<F: 'static>(
+        &self,
+        name: &'static str,
+        futures: Vec<F>,
+        ask: impl Fn(&[(f64, Ego)], &F) + 'static,
     ) -> Case {
         let (egos, trajectories) = (self.egos.clone(), self.egos.len() * futures.len());
-        let ask = move || {
-            for future in &futures {
-                let mut last = None;
-                for (now, ego) in &egos {
-                    last = Some(black_box(answer(
-                        black_box(ego),
-                        future,
-                        *now,
-                        last.as_ref(),
-                    )));
-                }
-            }
-        };
         Case {
             name,
             trajectories: trajectories as u32,
             evaluations: None,
-            ask: Box::new(ask),
+            ask: Box::new(move || futures.iter().for_each(|future| ask(&egos, future))),
         }
     }
 
@@ -325,7 +326,7 @@ impl Drive {
         };
         let evaluations = futures.iter().map(of_one).sum();
         let estimator = estimator.clone();
-        let case = self.case(name, futures, move |ego, future, now, _| {
+        let case = self.case(name, futures, move |ego, future, now| {
             estimator.trajectory(ego, CAR, &Future::new(future, now), CURRENT_LATENCY)
         });
         Case {
@@ -337,24 +338,21 @@ impl Drive {
     fn recorded(&self, name: &'static str, futures: Vec<Trajectory>) -> Case {
         let estimator = estimator();
         let recordings = futures.into_iter().map(Recording::new).collect();
-        self.case(name, recordings, move |ego, recording, now, _| {
+        self.case(name, recordings, move |ego, recording, now| {
             estimator.recorded(ego, CAR, recording, now, CURRENT_LATENCY)
         })
     }
 
-    fn recorded_after(&self, name: &'static str, futures: Vec<Trajectory>) -> Case {
+    fn played(&self, name: &'static str, futures: Vec<Trajectory>) -> Case {
         let estimator = estimator();
         let recordings = futures.into_iter().map(Recording::new).collect();
-        self.case(
-            name,
-            recordings,
-            move |ego, recording, now, last| match last {
-                Some(last) => {
-                    estimator.recorded_after(ego, CAR, recording, now, CURRENT_LATENCY, last)
-                }
-                None => estimator.recorded(ego, CAR, recording, now, CURRENT_LATENCY),
-            },
-        )
+        self.case_of_courses(name, recordings, move |egos, recording| {
+            let mut playback = Playback::new(recording);
+            for (now, ego) in egos {
+                let ego = black_box(ego);
+                black_box(estimator.played(ego, CAR, &mut playback, *now, CURRENT_LATENCY));
+            }
+        })
     }
 }
 

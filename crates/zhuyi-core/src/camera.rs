@@ -1,5 +1,6 @@
 //! Cameras as geometry: where each looks, and how often. What it makes of what it sees is perception's business.
 
+use crate::geometry::sin_cos;
 use crate::{Axes, Body, Footprint, Point, Pose};
 
 /// A camera of the rig: its place in the rig's list, from 0.
@@ -56,9 +57,12 @@ impl Camera {
 
     /// The same of a box at `pose`.
     pub fn covers_box(&self, ego: Pose, footprint: Footprint, pose: Pose) -> bool {
-        Sector::new(self, self.pose(ego)).holds_any(&footprint.landmarks(pose))
+        Sector::new(self, self.pose(ego)).holds_box(footprint, pose)
     }
 }
+
+/// [m] nearer than this to the border of what is surely out of view, the corners of a box are looked at one by one.
+const CLEARANCE: f64 = 1e-3;
 
 /// What a camera covers, ready to be asked for many points: a sector of a circle.
 ///
@@ -72,31 +76,41 @@ pub struct Sector {
     heading: f64,
     /// ... as a direction.
     axis: (f64, f64),
-    /// [-] cos(fov/2).
-    edge: f64,
-    /// [m2]
-    range_squared: f64,
+    /// [-] cos(fov/2) and sin(fov/2).
+    edge: (f64, f64),
+    /// Directions of its right and its left border.
+    borders: [(f64, f64); 2],
+    /// [m]
+    range: f64,
 }
 
 impl Sector {
     /// The sector of a camera at `pose` (from [`Camera::pose`]).
     pub fn new(camera: &Camera, pose: Pose) -> Self {
-        let (sin, cos) = pose.heading.sin_cos();
-        Self {
+        let (sin, cos) = (camera.fov / 2.0).sin_cos();
+        let mut sector = Self {
             eye: pose.point(),
-            heading: pose.heading,
-            axis: (cos, sin),
-            edge: (camera.fov / 2.0).cos(),
-            range_squared: camera.range * camera.range,
-        }
+            heading: f64::NAN,
+            axis: (1.0, 0.0),
+            edge: (cos, sin),
+            borders: [(1.0, 0.0); 2],
+            range: camera.range,
+        };
+        sector.move_to(pose);
+        sector
     }
 
     /// Moves it on to where the camera is now.
     pub fn move_to(&mut self, pose: Pose) {
         self.eye = pose.point();
         if pose.heading != self.heading {
-            let (sin, cos) = pose.heading.sin_cos();
+            let (sin, cos) = sin_cos(pose.heading);
             (self.heading, self.axis) = (pose.heading, (cos, sin));
+            let (c, s) = self.edge;
+            self.borders = [
+                (cos * c + sin * s, sin * c - cos * s),
+                (cos * c - sin * s, sin * c + cos * s),
+            ];
         }
     }
 
@@ -105,17 +119,28 @@ impl Sector {
         self.holds_seen(self.seen(point))
     }
 
-    /// Whether one of the [`Footprint::landmarks`] of a box does.
-    pub fn holds_any(&self, [centre, corners @ ..]: &[Point; 5]) -> bool {
-        let (x, y) = self.seen(*centre);
-        if self.holds_seen((x, y)) {
+    /// Whether the centre or one of the corners of a box at `pose` does (reading R14).
+    #[inline]
+    pub fn holds_box(&self, footprint: Footprint, pose: Pose) -> bool {
+        let centre = self.seen(pose.point());
+        if self.holds_seen(centre) {
             return true;
         }
-        // All of a box that lies behind an eye with at most half a turn in view is out of view.
-        let corner = self.seen(corners[0]);
-        let reach = (corner.0 - x).abs() + (corner.1 - y).abs();
-        let behind = self.edge >= 0.0 && x * self.axis.0 + y * self.axis.1 < -reach;
-        !behind && corners.iter().any(|corner| self.holds(*corner))
+        // No corner is farther from the centre than this.
+        let reach = f64::midpoint(footprint.length, footprint.width);
+        let corners = || footprint.corners(pose).into_iter();
+        !self.misses(centre, reach) && corners().any(|corner| self.holds(corner))
+    }
+
+    /// Whether all of what lies within `reach` of a point surely lies outside, beyond the range or one of the borders.
+    #[inline]
+    fn misses(&self, (x, y): (f64, f64), reach: f64) -> bool {
+        let clear = reach + CLEARANCE;
+        let far = self.range + clear;
+        let [right, left] = self.borders;
+        let narrow = self.edge.0 >= 0.0;
+        let beside = right.0 * y - right.1 * x < -clear || x * left.1 - y * left.0 < -clear;
+        (narrow && beside) || x * x + y * y > far * far
     }
 
     /// A point as seen from the eye.
@@ -125,8 +150,8 @@ impl Sector {
 
     fn holds_seen(&self, (x, y): (f64, f64)) -> bool {
         let squared = x * x + y * y;
-        squared <= self.range_squared
-            && x * self.axis.0 + y * self.axis.1 >= squared.sqrt() * self.edge
+        squared <= self.range * self.range
+            && x * self.axis.0 + y * self.axis.1 >= squared.sqrt() * self.edge.0
     }
 }
 

@@ -70,8 +70,9 @@ pub struct Axes {
 
 impl Axes {
     /// The axes of a pose.
+    #[inline]
     pub fn new(pose: Pose) -> Self {
-        let (sin, cos) = pose.heading.sin_cos();
+        let (sin, cos) = sin_cos(pose.heading);
         Self { pose, cos, sin }
     }
 
@@ -109,15 +110,24 @@ impl Footprint {
         [(l, w), (l, -w), (-l, -w), (-l, w)].map(|(ahead, left)| axes.offset(ahead, left))
     }
 
-    /// The points of the box at `pose` by which a camera may cover it: its centre and its corners (reading R14).
-    pub fn landmarks(self, pose: Pose) -> [Point; 5] {
-        let [a, b, c, d] = self.corners(pose);
-        [pose.point(), a, b, c, d]
-    }
-
     /// [m] radius of the circle around the box.
     pub fn radius(self) -> f64 {
         self.length.hypot(self.width) / 2.0
+    }
+}
+
+/// Sine and cosine; of no angle at all, which is that of most bodies to a straight road, without a series.
+///
+/// ```
+/// use zhuyi_core::geometry::sin_cos;
+/// assert_eq!([sin_cos(0.0), sin_cos(0.3)], [0.0_f64.sin_cos(), 0.3_f64.sin_cos()]);
+/// ```
+#[inline]
+pub fn sin_cos(angle: f64) -> (f64, f64) {
+    if angle == 0.0 {
+        (angle, 1.0)
+    } else {
+        angle.sin_cos()
     }
 }
 

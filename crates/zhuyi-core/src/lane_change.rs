@@ -68,6 +68,7 @@ impl LaneChange {
     /// let half = LaneChange { start: 1.0, duration: 2.0, from: 0.0, to: 3.5 }.at(2.0);
     /// assert_eq!((half.d, half.rate, half.accel), (1.75, 3.28125, 0.0));
     /// ```
+    #[inline]
     pub fn at(&self, time: f64) -> Lateral {
         if self.from == self.to {
             return Lateral {
@@ -83,6 +84,12 @@ impl LaneChange {
             rate: way * 30.0 * x * x * (x * (x - 2.0) + 1.0) / self.duration,
             accel: way * 60.0 * x * (x * (2.0 * x - 3.0) + 1.0) / (self.duration * self.duration),
         }
+    }
+
+    /// Where it is at `time`, if it stays there from then on.
+    pub fn settled(&self, time: f64) -> Option<Lateral> {
+        let over = self.from == self.to || (time - self.start) / self.duration >= 1.0;
+        over.then(|| self.at(time))
     }
 
     /// [s] its end.

@@ -50,38 +50,32 @@ pub(crate) struct Corridor<'a> {
     pub view: View<'a>,
     /// The ego, whose acceleration is held.
     pub held: Start,
-    /// [m] `s` and `d` of the ego's centre at t_0.
-    pub ego: (f64, f64),
+    /// [m] `s` of the ego's centre at t_0.
+    pub ego: f64,
     /// [m] half of both lengths.
     pub reach: f64,
-    /// [m] offset below which the bodies overlap sideways: half of both widths.
-    pub body: f64,
-    /// [m] offset below which the actor is in the corridor.
-    pub lane: f64,
+    pub lines: Lines,
     pub horizon: f64,
 }
 
-impl<'a> Corridor<'a> {
-    pub fn new(params: &Params, ego: &Ego, actor: Footprint, view: View<'a>) -> Self {
+/// Where the bodies begin to be close and to overlap sideways.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Lines {
+    /// [m] offset of the ego.
+    pub ego: f64,
+    /// [m] offset from it below which the bodies overlap sideways: half of both widths.
+    pub body: f64,
+    /// [m] offset from it below which the actor is in the corridor.
+    pub lane: f64,
+}
+
+impl Lines {
+    pub fn new(params: &Params, ego: &Ego, actor: Footprint) -> Self {
         let body = f64::midpoint(ego.footprint.width, actor.width);
         Self {
-            view,
-            held: Start::new(ego.speed, ego.accel),
-            ego: (ego.s, ego.d),
-            reach: f64::midpoint(ego.footprint.length, actor.length),
+            ego: ego.d,
             body,
             lane: body + params.lateral_margin,
-            horizon: params.horizon,
-        }
-    }
-
-    /// The one relation of an actor that keeps its offset from t_0 on for ever; `index` is its piece at t_0.
-    fn only_side(&self, index: usize) -> Option<Side> {
-        match &self.view.future.across[index..] {
-            [piece] if piece.d_rate == 0.0 && self.horizon > 0.0 => {
-                Some(self.side_at(piece.d - self.ego.1))
-            }
-            _ => None,
         }
     }
 
@@ -92,6 +86,37 @@ impl<'a> Corridor<'a> {
             (true, true) => Side::Overlap,
             (true, false) => Side::Close,
             (false, _) => Side::Apart,
+        }
+    }
+
+    /// The one relation of an actor that goes from one offset to another; none if there is more than one.
+    pub fn side_between(&self, d: f64, end: f64) -> Option<Side> {
+        let (from, to) = (d - self.ego, end - self.ego);
+        let side = self.side_at(from);
+        let crosses = side != Side::Overlap && (from > 0.0) != (to > 0.0);
+        (self.side_at(to) == side && !crosses && !to.is_nan()).then_some(side)
+    }
+}
+
+impl<'a> Corridor<'a> {
+    pub fn new(params: &Params, ego: &Ego, actor: Footprint, view: View<'a>) -> Self {
+        Self {
+            view,
+            held: Start::new(ego.speed, ego.accel),
+            ego: ego.s,
+            reach: f64::midpoint(ego.footprint.length, actor.length),
+            lines: Lines::new(params, ego, actor),
+            horizon: params.horizon,
+        }
+    }
+
+    /// The one relation of an actor that keeps its offset from t_0 on for ever; `index` is its piece at t_0.
+    fn only_side(&self, index: usize) -> Option<Side> {
+        match &self.view.future.across[index..] {
+            [piece] if piece.d_rate == 0.0 && self.horizon > 0.0 => {
+                Some(self.lines.side_at(piece.d - self.lines.ego))
+            }
+            _ => None,
         }
     }
 
@@ -118,7 +143,7 @@ impl<'a> Corridor<'a> {
             } else {
                 self.horizon
             };
-            let d = piece.d - self.ego.1;
+            let d = piece.d - self.lines.ego;
             if !holds(d) || !holds(d + (next - end) * piece.d_rate) {
                 break;
             }
@@ -130,14 +155,14 @@ impl<'a> Corridor<'a> {
     /// Actor's centre ahead of the ego's with the acceleration held.
     fn ahead(&self, time: f64) -> f64 {
         let future = &self.view.future;
-        let piece = &future.along[future.along_index(time)];
-        piece.s_at(time + future.now) - self.ego.0 - self.held.distance(time)
+        let piece = &future.along[self.view.along_index(time)];
+        piece.s_at(time + future.now) - self.ego - self.held.distance(time)
     }
 }
 
 /// Sideways relation of the two bodies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Side {
+pub(crate) enum Side {
     Apart,
     Close,
     Overlap,
@@ -158,7 +183,7 @@ impl Walk {
     fn new(corridor: &Corridor<'_>) -> Self {
         Self {
             time: 0.0,
-            index: corridor.view.future.across_index(0.0),
+            index: corridor.view.first[1],
             stay: None,
             conflict_seen: false,
             pending: None,
@@ -168,11 +193,20 @@ impl Walk {
     /// The relation just after the current time, until when it surely lasts, and the piece that follows then.
     fn side(&self, corridor: &Corridor<'_>) -> (Side, f64, usize) {
         let (view, horizon) = (&corridor.view, corridor.horizon);
-        let (body, lane) = (corridor.body, corridor.lane);
-        for (block, next) in view.across_blocks(self.index, self.time) {
+        if let Some((side, next)) = view.side_of(self.index) {
+            let across = view.future.across;
+            let end = across
+                .get(next)
+                .map_or(f64::INFINITY, |piece| piece.time - view.future.now);
+            return (side, end.min(horizon), next.min(across.len() - 1));
+        }
+        let Lines { ego, body, lane } = corridor.lines;
+        let unknown = view.runs.is_empty();
+        let blocks = unknown.then(|| view.across_blocks(self.index, self.time));
+        for (block, next) in blocks.into_iter().flatten() {
             let (right, left, end) = (
-                block.d_min - corridor.ego.1,
-                block.d_max - corridor.ego.1,
+                block.d_min - ego,
+                block.d_max - ego,
                 (block.end - view.future.now).min(horizon),
             );
             if right >= lane || left <= -lane {
@@ -189,7 +223,7 @@ impl Walk {
         let begin = piece.time - now;
         let next = view.future.across.get(self.index + 1);
         let end = next.map_or(horizon, |next| (next.time - now).min(horizon));
-        let offset = |time: f64| piece.d - corridor.ego.1 + (time - begin) * piece.d_rate;
+        let offset = |time: f64| piece.d - ego + (time - begin) * piece.d_rate;
         let (here, there) = (offset(self.time), offset(end));
         let following = if next.is_some() {
             self.index + 1
@@ -209,7 +243,7 @@ impl Walk {
             return (Side::Overlap, end, following);
         }
         if piece.d_rate == 0.0 || here == there {
-            return (corridor.side_at(here), end, following);
+            return (corridor.lines.side_at(here), end, following);
         }
         // Seen in the direction of its motion, the actor crosses these four lines one after the other.
         let lines = [

@@ -3,19 +3,19 @@
 //! "No collision during t_n" is read as no pass-through (reading R6): `d(t) <= s(t)` at every conflict time in [0,
 //! t_n] at which the bodies overlap sideways.
 
+use crate::Params;
 use crate::conflict::{Corridor, Span, Spans, Zone};
 use crate::constraints::{TOLERANCE, distance_slack, speed_slack};
 use crate::ego_motion::{EgoMotion, Phase, braking_decel};
-use crate::recording::{AlongBlock, View};
+use crate::recording::AlongBlock;
 use crate::stretch::{Datum, Margins, Outline, Stretch};
 use crate::walk::{Bounds, Cell};
-use crate::{Ego, Params};
-use zhuyi_core::{Along, Footprint};
+use zhuyi_core::Along;
 
 /// One ego before one future of one actor.
 #[derive(Clone, Debug)]
 pub(crate) struct Encounter<'a> {
-    pub corridor: Corridor<'a>,
+    pub corridor: &'a Corridor<'a>,
     pub margins: Margins,
     /// [m/s2] a_b.
     pub decel: f64,
@@ -26,21 +26,21 @@ pub(crate) struct Encounter<'a> {
 impl<'a> Encounter<'a> {
     /// `None` where there is no conflict time.
     #[inline]
-    pub fn new(params: &Params, ego: &Ego, actor: Footprint, view: View<'a>) -> Option<Self> {
-        if view.future.along.is_empty() || view.future.across.is_empty() {
+    pub fn new(params: &Params, corridor: &'a Corridor<'a>) -> Option<Self> {
+        let future = &corridor.view.future;
+        if future.along.is_empty() || future.across.is_empty() {
             return None;
         }
-        let corridor = Corridor::new(params, ego, actor, view);
         Some(Self {
-            spans: Spans::new(&corridor)?,
+            spans: Spans::new(corridor)?,
             margins: Margins {
                 c1: params.c1,
                 c2: params.c2,
             },
             decel: braking_decel(corridor.held.accel, params.c3, params.c4),
             datum: Datum {
-                now: view.future.now,
-                origin: ego.s + corridor.reach,
+                now: future.now,
+                origin: corridor.ego + corridor.reach,
             },
             corridor,
         })
@@ -48,7 +48,7 @@ impl<'a> Encounter<'a> {
 
     /// The zones of [0, horizon], in order.
     pub fn spans(&self) -> impl Iterator<Item = Span> {
-        self.spans.iter(&self.corridor)
+        self.spans.iter(self.corridor)
     }
 
     /// Whether any kept stay of the actor in the corridor begins with the bodies overlapping lengthwise (reading
@@ -94,7 +94,7 @@ impl<'a> Encounter<'a> {
 
     /// Gap s and the actor's speed v_a at a time.
     pub fn actor(&self, time: f64) -> (f64, f64) {
-        self.actor_on(self.corridor.view.future.along_index(time), time)
+        self.actor_on(self.corridor.view.along_index(time), time)
     }
 
     /// The same by a piece.

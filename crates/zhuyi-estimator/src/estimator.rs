@@ -1,11 +1,12 @@
 //! The face of the crate: an [`Estimator`] answers for one trajectory, one forecast, or the cameras of a rig.
 
+use crate::conflict::{Corridor, Lines};
 use crate::ego_motion::{latency_within, reaction_time};
 use crate::encounter::{Delay, Encounter};
 use crate::grid::Latencies;
 use crate::judge::Judge;
 use crate::recording::{Recording, View};
-use crate::{Ego, Estimate, Future, Params, State, Uncertainty};
+use crate::{Ego, Estimate, Future, Params, Playback, State, Uncertainty};
 use zhuyi_core::Footprint;
 
 /// The Zhuyi model with its parameters and its list of latencies. It holds no state: the same question has the same
@@ -143,18 +144,19 @@ impl Estimator {
             .0
     }
 
-    /// The same, sooner where the answer is `last`; see [`Estimator::trajectory_after`].
-    pub fn recorded_after(
+    /// The same of a recording that is asked step after step, sooner by what the steps before have told.
+    pub fn played(
         &self,
         ego: &Ego,
         actor: Footprint,
-        recording: &Recording,
+        playback: &mut Playback<'_>,
         now: f64,
         current_latency: f64,
-        last: &Estimate,
     ) -> Estimate {
-        self.answer(ego, actor, recording.view(now), current_latency, Some(last))
-            .0
+        let last = playback.last;
+        let view = playback.view(now, Lines::new(&self.params, ego, actor));
+        let (estimate, _) = self.answer(ego, actor, view, current_latency, last.as_ref());
+        *playback.last.insert(estimate)
     }
 
     fn answer(
@@ -172,7 +174,8 @@ impl Estimator {
             binding: None,
             extrapolated: view.future.extrapolated(self.params.horizon),
         };
-        let Some(encounter) = Encounter::new(&self.params, ego, actor, view) else {
+        let corridor = Corridor::new(&self.params, ego, actor, view);
+        let Some(encounter) = Encounter::new(&self.params, &corridor) else {
             return (quiet, 0);
         };
         let judge = Judge {

@@ -144,6 +144,7 @@ impl Judge<'_> {
 #[cfg(test)]
 mod tests {
     use super::Judge;
+    use crate::conflict::Corridor;
     use crate::encounter::{Delay, Encounter};
     use crate::recording::View;
     use crate::{Binding, Criterion, Ego, Estimator, Future, Params, State};
@@ -234,7 +235,8 @@ mod tests {
             let ego = Ego { s: 0.0, d: 0.0, speed, accel, footprint: CAR };
             let future = Future { along: &along, across: &across, known_until: 20.0, now: 0.0 };
             let params = Params { criterion: Criterion::Paper, ..Params::default() };
-            let Some(encounter) = Encounter::new(&params, &ego, CAR, View::plain(future)) else { return Ok(()) };
+            let corridor = Corridor::new(&params, &ego, CAR, View::plain(future));
+            let Some(encounter) = Encounter::new(&params, &corridor) else { return Ok(()) };
             let judge = Judge { encounter: &encounter, params: &params };
             let delay = |index: usize| {
                 let share = 1.0 - index as f64 / 32.0;

@@ -7,6 +7,8 @@
 //! piece by piece, and the answer is that of the plain list.
 
 use crate::Future;
+use crate::conflict::Side;
+use crate::playback::Run;
 use zhuyi_core::{Across, Along, Trajectory};
 
 /// Pieces per block along the road, from coarse to fine; each is a multiple of the next.
@@ -41,7 +43,7 @@ pub(crate) struct AcrossBlock {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recording {
     trajectory: Trajectory,
-    along: [Vec<AlongBlock>; ALONG_BLOCKS.len()],
+    pub(crate) along: [Vec<AlongBlock>; ALONG_BLOCKS.len()],
     across: [Vec<AcrossBlock>; ACROSS_BLOCKS.len()],
 }
 
@@ -67,11 +69,13 @@ impl Recording {
     }
 
     pub(crate) fn view(&self, now: f64) -> View<'_> {
-        let along = self.along.each_ref().map(Vec::as_slice);
+        let future = Future::new(&self.trajectory, now);
+        let first = [future.along_index(0.0), future.across_index(0.0)];
         View {
-            future: Future::new(&self.trajectory, now),
-            along,
-            across: self.across.each_ref().map(Vec::as_slice),
+            future,
+            first,
+            runs: &[],
+            recording: Some(self),
         }
     }
 }
@@ -80,24 +84,52 @@ impl Recording {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View<'a> {
     pub future: Future<'a>,
-    pub along: [&'a [AlongBlock]; ALONG_BLOCKS.len()],
-    across: [&'a [AcrossBlock]; ACROSS_BLOCKS.len()],
+    /// Its pieces at t_0, along and across, or earlier ones.
+    pub first: [usize; 2],
+    /// How the pieces across are to the ego; empty where nobody has looked.
+    pub runs: &'a [Run],
+    /// With its coarse view.
+    pub recording: Option<&'a Recording>,
 }
 
 impl<'a> View<'a> {
     pub fn plain(future: Future<'a>) -> Self {
         Self {
+            first: [future.along_index(0.0), future.across_index(0.0)],
+            runs: &[],
             future,
-            along: [&[]; ALONG_BLOCKS.len()],
-            across: [&[]; ACROSS_BLOCKS.len()],
+            recording: None,
         }
+    }
+
+    /// As [`Future::along_index`].
+    #[inline]
+    pub fn along_index(&self, time: f64) -> usize {
+        let (at, [first, _]) = (time + self.future.now, self.first);
+        let behind = self.future.along.get(first + 1..).unwrap_or_default();
+        if behind.first().is_none_or(|next| next.time > at) {
+            return first;
+        }
+        first + behind.partition_point(|piece| piece.time <= at)
+    }
+
+    /// The sideways relation that all of a piece across has, and the first piece behind it that may have another; none
+    /// where nobody has looked, or it changes within the piece.
+    #[inline]
+    pub fn side_of(&self, index: usize) -> Option<(Side, usize)> {
+        let behind = self.runs.partition_point(|run| run.first <= index);
+        let side = self.runs.get(behind.checked_sub(1)?)?.side?;
+        let next = self.runs.get(behind).map(|run| run.first);
+        Some((side, next.unwrap_or(self.future.across.len())))
     }
 
     /// Whether a block across the road begins with this piece.
     #[inline]
     pub fn begins_across_block(&self, index: usize) -> bool {
-        let ([.., finest], [.., size]) = (self.across, ACROSS_BLOCKS);
-        index.is_multiple_of(size) && index / size < finest.len()
+        let [.., size] = ACROSS_BLOCKS;
+        let holds =
+            |recording: &Recording| index / size < recording.across[ACROSS_BLOCKS.len() - 1].len();
+        index.is_multiple_of(size) && self.recording.is_some_and(holds)
     }
 
     /// The offsets from `time` to the end of each block of a piece, the longest first, and the piece behind that block.
@@ -109,7 +141,8 @@ impl<'a> View<'a> {
         time: f64,
     ) -> impl Iterator<Item = (&'a AcrossBlock, usize)> {
         let at = time + self.future.now;
-        let levels = self.across.into_iter().zip(ACROSS_BLOCKS);
+        let recording = self.recording.into_iter();
+        let levels = recording.flat_map(|recording| recording.across.iter().zip(ACROSS_BLOCKS));
         levels.filter_map(move |(blocks, size)| {
             if !index.is_multiple_of(size) && time > 0.0 {
                 return None;

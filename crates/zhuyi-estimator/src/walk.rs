@@ -119,7 +119,7 @@ impl Encounter<'_> {
     #[inline]
     pub fn visit<V: Visitor>(&self, from: f64, to: f64, visitor: &mut V) -> Option<V::Found> {
         let future = &self.corridor.view.future;
-        let (mut time, mut index) = (from, future.along_index(from));
+        let (mut time, mut index) = (from, self.corridor.view.along_index(from));
         let mut leash = visitor.leash(time);
         // Before this piece no block is to be tried again.
         let mut tried = 0;
@@ -199,8 +199,8 @@ impl Encounter<'_> {
         to: f64,
         visitor: &impl Visitor,
     ) -> Option<(f64, usize)> {
-        let now = self.datum.now;
-        for (blocks, size) in self.corridor.view.along.iter().zip(ALONG_BLOCKS) {
+        let (now, recording) = (self.datum.now, self.corridor.view.recording?);
+        for (blocks, size) in recording.along.iter().zip(ALONG_BLOCKS) {
             let Some(block) = blocks.get(index / size) else {
                 continue;
             };

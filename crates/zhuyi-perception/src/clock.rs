@@ -21,6 +21,7 @@ use zhuyi_core::SimTime;
 pub struct Clock {
     phase: f64,
     hz: f64,
+    period: SimTime,
     anchor: SimTime,
     count: u64,
     last: SimTime,
@@ -41,13 +42,15 @@ impl Clock {
     /// # Panics
     /// If `hz` is not positive and finite: `FrameRates` guarantees it.
     pub fn new(hz: f64, phase: f64) -> Self {
-        let anchor = SimTime::from_seconds(phase * period(hz).seconds());
+        let period = period(hz);
+        let anchor = SimTime::from_seconds(phase * period.seconds());
         Self {
             phase,
             hz,
+            period,
             anchor,
             count: 0,
-            last: anchor - period(hz),
+            last: anchor - period,
             next: anchor,
         }
     }
@@ -68,7 +71,7 @@ impl Clock {
 
     /// The present period.
     pub fn period(&self) -> SimTime {
-        period(self.hz)
+        self.period
     }
 
     /// The next exposure.
@@ -91,9 +94,9 @@ impl Clock {
     /// If `hz` is not positive and finite.
     pub fn set_rate(&mut self, hz: f64, now: SimTime) {
         if hz != self.hz {
-            self.anchor = now.max(self.last + period(hz));
+            (self.hz, self.period) = (hz, period(hz));
+            self.anchor = now.max(self.last + self.period);
             self.count = 0;
-            self.hz = hz;
             self.next = self.anchor;
         }
     }

@@ -25,6 +25,8 @@
 //! Control Systems*, 2004: a delay anywhere in [L, L + J]. So jitter only ever delays: to keep the mean latency, set the
 //! latency J/2 shorter. Left out: latencies that depend on one another or on what is in the picture.
 
+use std::collections::{VecDeque, vec_deque};
+
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use zhuyi_core::{ActorId, CameraId, Detection, Frame, FrameRates, Scene, SimTime};
@@ -41,7 +43,8 @@ const ROOM: usize = 8;
 pub struct Eyes {
     params: Perception,
     shutters: Vec<Shutter>,
-    in_flight: Vec<Frame>,
+    /// In the order in which they become ready.
+    in_flight: VecDeque<Frame>,
     scene: Scene,
     /// Lists of frames that were delivered, for the next ones.
     spare: Vec<Vec<Detection>>,
@@ -105,7 +108,7 @@ impl Eyes {
         Self {
             shutters: shutters.collect(),
             params: params.clone(),
-            in_flight: Vec::with_capacity(ROOM * params.eyes.len()),
+            in_flight: VecDeque::with_capacity(ROOM * params.eyes.len()),
             scene: start.clone(),
             spare: Vec::with_capacity(ROOM * params.eyes.len()),
         }
@@ -177,12 +180,13 @@ impl Eyes {
                 self.spare.push(detections);
                 continue;
             }
-            self.in_flight.push(Frame {
+            let ego = scene.ego.pose;
+            self.bring_back(Frame {
                 camera: CameraId(index as u8),
                 exposed,
                 ready: exposed + latency,
                 detections,
-                ego: scene.ego.pose,
+                ego,
             });
         }
     }
@@ -198,28 +202,31 @@ impl Eyes {
         (at <= to).then_some(index)
     }
 
-    /// Takes all frames in flight away, in the order of their exposures if that is done after each
-    /// [`Eyes::expose`], for somebody who knows better when they are ready.
-    pub fn take_exposed(&mut self) -> std::vec::Drain<'_, Frame> {
+    /// Takes all frames in flight away, in the order of their exposures, for somebody who knows better when they are
+    /// ready.
+    pub fn take_exposed(&mut self) -> vec_deque::Drain<'_, Frame> {
+        let exposures = self.in_flight.make_contiguous();
+        exposures.sort_unstable_by_key(|frame| (frame.exposed, frame.camera));
         self.in_flight.drain(..)
     }
 
     /// Brings a frame back that was taken away, to be delivered when it is ready.
     pub fn bring_back(&mut self, frame: Frame) {
-        self.in_flight.push(frame);
+        let order = |frame: &Frame| (frame.ready, frame.camera, frame.exposed);
+        let earlier = |other: &Frame| order(other) < order(&frame);
+        if self.in_flight.back().is_none_or(earlier) {
+            self.in_flight.push_back(frame);
+            return;
+        }
+        let place = self.in_flight.partition_point(earlier);
+        self.in_flight.insert(place, frame);
     }
 
     /// The next frame that is ready by `now`, in order of (ready, camera); call it until there is none.
     pub fn deliver(&mut self, now: SimTime) -> Option<Frame> {
         loop {
-            let ready = self
-                .in_flight
-                .iter()
-                .enumerate()
-                .filter(|(_, frame)| frame.ready <= now);
-            let (index, _) =
-                ready.min_by_key(|(_, frame)| (frame.ready, frame.camera, frame.exposed))?;
-            let frame = self.in_flight.swap_remove(index);
+            self.in_flight.front().filter(|next| next.ready <= now)?;
+            let frame = self.in_flight.pop_front()?;
             let shutter = &mut self.shutters[frame.camera.index()];
             if shutter.newest.is_none_or(|newest| newest < frame.exposed) {
                 shutter.newest = Some(frame.exposed);
@@ -236,9 +243,9 @@ impl Eyes {
         self.spare.push(frame.detections);
     }
 
-    /// Pictures that have been taken and are not ready, in no order.
-    pub fn in_flight(&self) -> &[Frame] {
-        &self.in_flight
+    /// Pictures that have been taken and are not ready, in the order in which they will be.
+    pub fn in_flight(&self) -> impl Iterator<Item = &Frame> {
+        self.in_flight.iter()
     }
 
     /// How many pictures a camera has taken.

@@ -34,6 +34,8 @@ pub fn visible_share(camera: &Camera, scene: &Scene, actor: ActorId) -> f64 {
 #[derive(Clone, Debug, Default)]
 pub struct View {
     eye: Pose,
+    /// Cosine and sine of its heading; none before the first look.
+    direction: Option<(f64, f64)>,
     fov: f64,
     /// Sine and cosine of half of it.
     half_fov: (f64, f64),
@@ -82,9 +84,31 @@ impl View {
             self.fov = camera.fov;
             self.half_fov = (camera.fov / 2.0).sin_cos();
         }
-        self.eye = camera.pose(ego);
+        let pose = camera.pose(ego);
+        // On a straight road the heading stays.
+        let kept = self.direction.filter(|_| pose.heading == self.eye.heading);
+        let (cos, sin) = kept.unwrap_or_else(|| {
+            let Axes { cos, sin, .. } = Axes::new(pose);
+            (cos, sin)
+        });
+        (self.eye, self.direction) = (pose, Some((cos, sin)));
         self.range = camera.range;
-        self.field = Field::new(&Axes::new(self.eye), self.half_fov);
+        self.field = Field::new(&Axes { pose, cos, sin }, self.half_fov);
+    }
+
+    /// Whether a box that nobody stands before is in range and at least `least_share` of it is visible from where it has
+    /// been aimed.
+    pub(crate) fn sees_alone(
+        &mut self,
+        footprint: Footprint,
+        pose: Pose,
+        least_share: f64,
+    ) -> bool {
+        let alone = [self.field.silhouette(footprint, pose)];
+        silhouette::sees(&alone, 0, self.range, least_share).unwrap_or_else(|| {
+            self.find([(footprint, pose)]);
+            self.sees_by_angles(0, least_share)
+        })
     }
 
     /// Puts these boxes, in their places, where it has been aimed.

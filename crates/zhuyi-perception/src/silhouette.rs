@@ -177,7 +177,7 @@ pub(crate) fn sees(
     range: f64,
     least_share: f64,
 ) -> Option<bool> {
-    let body = match silhouettes[which] {
+    let body = match &silhouettes[which] {
         Silhouette::Open => return None,
         Silhouette::OutOfView => return Some(false),
         Silhouette::Before(body) => body,

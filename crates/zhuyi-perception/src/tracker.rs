@@ -103,19 +103,22 @@ impl Tracker {
     /// Processes a frame. Frames come in the order in which they became ready.
     pub fn update(&mut self, frame: &Frame, road: &Road) {
         let camera = frame.camera.index();
-        let view = &mut self.views[camera];
-        view.aim(&self.params.eyes[camera].camera, frame.ego);
+        let (eye, view) = (&self.params.eyes[camera], &mut self.views[camera]);
+        let mut aimed = false;
         for (index, file) in self.files.iter_mut().enumerate() {
             let actor = ActorId(index as u32);
             if let Some(detection) = frame.detections.iter().find(|found| found.actor == actor) {
                 file.take(detection, frame.exposed, &self.params);
                 file.counts[camera].found += 1;
-                file.confirmed |=
-                    file.counts[camera].found >= self.params.eyes[camera].confirm_frames;
+                file.confirmed |= file.counts[camera].found >= eye.confirm_frames;
                 continue;
             }
             file.counts[camera].found = 0;
             if let Some(belief) = &file.belief {
+                if !aimed {
+                    view.aim(&eye.camera, frame.ego);
+                    aimed = true;
+                }
                 let expected = should_see(view, frame.exposed, belief, road);
                 file.miss(camera, expected, self.params.lost_frames);
             }
@@ -185,6 +188,5 @@ impl File {
 /// Whether a camera has the whole box that is believed in before it, when it exposes.
 fn should_see(view: &mut View, exposed: SimTime, belief: &Belief, road: &Road) -> bool {
     let pose = road.world_from_road(belief.place(exposed));
-    view.find([(belief.footprint(), pose)]);
-    view.sees(0, WHOLE)
+    view.sees_alone(belief.footprint(), pose, WHOLE)
 }

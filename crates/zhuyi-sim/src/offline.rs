@@ -6,12 +6,11 @@
 //! [`Hindsight::with_evasion`] lets the ego evade, [`Hindsight::of_the_visible`] leaves out who is hidden (reading R14).
 
 use zhuyi_core::{
-    ActorId, Axes, Body, Camera, CameraId, Footprint, FrameRates, Point, Pose, Road, Sector,
-    SimTime,
+    ActorId, Axes, Body, Camera, CameraId, Footprint, FrameRates, Pose, Road, Sector, SimTime,
 };
 use zhuyi_estimator::phantom::visible_share;
 use zhuyi_estimator::{
-    Demand, Ego, Estimate, Estimator, Future, Phantom, PhantomParams, Recording, Watch,
+    Demand, Ego, Estimate, Estimator, Future, Phantom, PhantomParams, Playback, Recording, Watch,
 };
 use zhuyi_perception::Eye;
 use zhuyi_scenario::System;
@@ -79,17 +78,17 @@ impl<'a> Hindsight<'a> {
         actor: ActorId,
         current_latency: f64,
     ) -> Estimate {
-        self.estimate_after(estimator, row, actor, current_latency, None)
+        self.estimate_next(estimator, row, actor, current_latency, None)
     }
 
-    /// The same, looked for first where it was.
-    fn estimate_after(
+    /// The same at the next row that is asked about.
+    fn estimate_next(
         &self,
         estimator: &Estimator,
         row: &Row<'_>,
         actor: ActorId,
         current_latency: f64,
-        last: Option<&Estimate>,
+        playback: Option<&mut Playback<'_>>,
     ) -> Estimate {
         let ego = Ego::from(row.ego);
         let (body, future) = (&row.actors[actor.index()], &self.futures[actor.index()]);
@@ -110,10 +109,8 @@ impl<'a> Hindsight<'a> {
                 .recorded_evading(&ego, footprint, (future, now), sides, current_latency)
                 .estimate;
         }
-        match last {
-            Some(last) => {
-                estimator.recorded_after(&ego, footprint, future, now, current_latency, last)
-            }
+        match playback {
+            Some(playback) => estimator.played(&ego, footprint, playback, now, current_latency),
             None => estimator.recorded(&ego, footprint, future, now, current_latency),
         }
     }
@@ -159,8 +156,8 @@ impl<'a> Hindsight<'a> {
     ) {
         covered.look(&self.rig, row);
         let actors = (0..).map(ActorId).zip(row.actors);
-        let counts = |place: usize, actor: ActorId, body: &Body| {
-            covered.holds(place, actor) && self.shows(self.rig[place].camera, row, body)
+        let counts = |place: usize, _: ActorId, body: &Body| {
+            covered.holds(place, body) && self.shows(self.rig[place].camera, row, body)
         };
         estimator.demands_into(&self.rig, actors, counts, estimate, demands);
         if let Some((road, params)) = &self.phantoms {
@@ -191,12 +188,11 @@ impl<'a> Hindsight<'a> {
         let mut peaks = self.no_peaks();
         let mut demands = vec![estimator.quiet(); self.rig.len()];
         let mut covered = Covered::by(&self.rig);
-        // The answer of the step before, of each actor.
-        let mut last: Vec<Option<Estimate>> = vec![None; self.futures.len()];
+        let mut playbacks: Vec<_> = self.futures.iter().map(Playback::new).collect();
         for row in self.trace.rows() {
             let estimate = |actor: ActorId, l_0: f64| {
-                let last = &mut last[actor.index()];
-                *last.insert(self.estimate_after(estimator, &row, actor, l_0, last.as_ref()))
+                let playback = &mut playbacks[actor.index()];
+                self.estimate_next(estimator, &row, actor, l_0, Some(playback))
             };
             self.demands_into(estimator, &row, estimate, &mut covered, &mut demands);
             self.add(&mut peaks, row.time, &demands);
@@ -244,34 +240,25 @@ impl<'a> Hindsight<'a> {
     }
 }
 
-/// Which cameras cover which actors at one row; kept from row to row, it allocates nothing.
-struct Covered {
-    sectors: Vec<Sector>,
-    landmarks: Vec<[Point; 5]>,
-}
+/// What the cameras cover at one row; kept from row to row, it allocates nothing.
+struct Covered(Vec<Sector>);
 
 impl Covered {
     fn by(rig: &[Watch<'_>]) -> Self {
         let sector = |watch: &Watch<'_>| Sector::new(watch.camera, Pose::default());
-        Self {
-            sectors: rig.iter().map(sector).collect(),
-            landmarks: Vec::new(),
-        }
+        Self(rig.iter().map(sector).collect())
     }
 
     fn look(&mut self, rig: &[Watch<'_>], row: &Row<'_>) {
         let ego = Axes::new(row.ego.pose);
-        for (sector, watch) in self.sectors.iter_mut().zip(rig) {
+        for (sector, watch) in self.0.iter_mut().zip(rig) {
             sector.move_to(watch.camera.pose_on(&ego));
         }
-        self.landmarks.clear();
-        let landmarks = |body: &Body| body.footprint.landmarks(body.pose);
-        self.landmarks.extend(row.actors.iter().map(landmarks));
     }
 
     /// As [`Camera::covers_body`].
-    fn holds(&self, place: usize, actor: ActorId) -> bool {
-        self.sectors[place].holds_any(&self.landmarks[actor.index()])
+    fn holds(&self, place: usize, body: &Body) -> bool {
+        self.0[place].holds_box(body.footprint, body.pose)
     }
 }
 

@@ -20,18 +20,17 @@ pub fn futures(trace: &Trace) -> Vec<Trajectory> {
 }
 
 fn future(trace: &Trace, actor: usize) -> Trajectory {
-    let rows = || {
-        trace
-            .rows()
-            .map(|row| (row.time.seconds(), row.actors[actor]))
-    };
+    let mut rows = trace.course(actor).map(|(t, body)| (t.seconds(), body));
+    let (mut t, mut body) = rows
+        .next()
+        .unwrap_or_else(|| unreachable!("a trace has at least its first row"));
     let mut along: Vec<Along> = Vec::new();
     let mut across: Vec<Across> = Vec::new();
-    for ((t, body), (next_t, next)) in rows().zip(rows().skip(1)) {
+    for (next_t, next) in rows {
         let step = next_t - t;
         if !along
             .last()
-            .is_some_and(|piece| meets_along(piece, next_t, &next))
+            .is_some_and(|piece| meets_along(piece, next_t, next))
         {
             along.push(Along {
                 time: t,
@@ -44,7 +43,7 @@ fn future(trace: &Trace, actor: usize) -> Trajectory {
         }
         if !across
             .last()
-            .is_some_and(|piece| meets_across(piece, next_t, &next))
+            .is_some_and(|piece| meets_across(piece, next_t, next))
         {
             across.push(Across {
                 time: t,
@@ -52,10 +51,9 @@ fn future(trace: &Trace, actor: usize) -> Trajectory {
                 d_rate: (next.road.d - body.road.d) / step,
             });
         }
+        (t, body) = (next_t, next);
     }
-    let (end, last) = rows()
-        .last()
-        .unwrap_or_else(|| unreachable!("a trace has at least its first row"));
+    let (end, last) = (t, body);
     along.push(Along::constant_accel(end, last.road.s, last.s_rate, 0.0));
     let keeps = |piece: &Across| piece.d == last.road.d && piece.d_rate == 0.0;
     if !across.last().is_some_and(keeps) {

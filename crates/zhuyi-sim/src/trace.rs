@@ -79,6 +79,12 @@ impl Trace {
         }
     }
 
+    /// An actor at each row, from the first on.
+    pub(crate) fn course(&self, actor: usize) -> impl Iterator<Item = (SimTime, &Body)> {
+        let bodies = self.bodies.iter().skip(1 + actor).step_by(self.names.len());
+        self.times.iter().copied().zip(bodies)
+    }
+
     /// All rows in order.
     pub fn rows(&self) -> impl ExactSizeIterator<Item = Row<'_>> {
         (0..self.len()).map(|i| self.row(i))

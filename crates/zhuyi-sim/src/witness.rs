@@ -64,15 +64,18 @@ impl Witness {
     }
 
     /// Pictures have been taken; some of them may be known already.
-    pub(crate) fn exposed(&mut self, in_flight: &[Frame]) {
+    pub(crate) fn exposed<'a>(&mut self, in_flight: impl Iterator<Item = &'a Frame>) {
         for frame in in_flight {
             if self.record(frame).is_none() {
-                self.frames.push(Taken {
+                let record = Taken {
                     camera: frame.camera,
                     exposed: frame.exposed,
                     taken: None,
                     found: frame.detections.iter().map(|found| found.actor).collect(),
-                });
+                };
+                let no_later = |other: &Taken| other.exposed <= record.exposed;
+                let place = self.frames.iter().rposition(no_later);
+                self.frames.insert(place.map_or(0, |last| last + 1), record);
             }
         }
     }
@@ -84,7 +87,7 @@ impl Witness {
         }
     }
 
-    /// The record of a frame. Records are made in the order of exposure.
+    /// The record of a frame. Records stand in the order of exposure.
     fn record(&mut self, frame: &Frame) -> Option<&mut Taken> {
         let records = self.frames.iter_mut().rev();
         let mut late = records.take_while(|record| record.exposed >= frame.exposed);

@@ -36,6 +36,8 @@ pub struct Mover {
     accel: f64,
     drive: Drive,
     lane_change: LaneChange,
+    /// Where it has come to rest across the road; none in a lane change.
+    settled: Option<Lateral>,
     /// [s] τ, the clock of lane changes.
     moving: f64,
     /// How many manoeuvres have begun.
@@ -45,12 +47,14 @@ pub struct Mover {
 impl Mover {
     /// An actor at its start: `s` its centre, `speed` after any jitter.
     pub fn new(actor: &Actor, road: &Road, s: f64, speed: f64) -> Self {
+        let lane_change = LaneChange::none(0.0, road.lane_center(actor.start.lane));
         Self {
             s,
             speed,
             accel: 0.0,
             drive: Drive::Behave(actor.behaviour),
-            lane_change: LaneChange::none(0.0, road.lane_center(actor.start.lane)),
+            lane_change,
+            settled: lane_change.settled(0.0),
             moving: 0.0,
             begun: 0,
         }
@@ -86,13 +90,14 @@ impl Mover {
     fn begin(&mut self, action: Action, road: &Road) {
         match action {
             Action::ChangeLane { lane, duration } => {
-                let from = self.lane_change.at(self.moving).d;
+                let from = self.lateral(0.0).d;
                 self.lane_change = LaneChange {
                     start: self.moving,
                     duration,
                     from,
                     to: road.lane_center(lane),
                 };
+                self.settled = self.lane_change.settled(self.moving);
             }
             Action::ReachSpeed { speed, accel } => self.drive = Drive::Reach { speed, accel },
             Action::Brake { decel } => self.drive = Drive::Brake { decel },
@@ -104,12 +109,22 @@ impl Mover {
     pub fn arrive(&mut self, s: f64, dt: f64) {
         self.s = s;
         self.moving = self.moving_after(dt);
+        if self.settled.is_none() {
+            self.settled = self.lane_change.settled(self.moving);
+        }
         self.speed = (self.speed + self.accel * dt).max(0.0);
     }
 
     /// [s] the clock of lane changes `dt` seconds on.
     fn moving_after(&self, dt: f64) -> f64 {
         self.moving + dt * pace((self.speed + self.accel * dt / 2.0).max(0.0))
+    }
+
+    /// Its offset `dt` seconds on.
+    #[inline]
+    fn lateral(&self, dt: f64) -> Lateral {
+        self.settled
+            .unwrap_or_else(|| self.lane_change.at(self.moving_after(dt)))
     }
 
     /// [m] its centre `dt` seconds on: the way along the lane, scaled to the reference line by the curvature and
@@ -120,20 +135,19 @@ impl Mover {
         if curvature == 0.0 {
             return self.s + way; // all offsets are equally long
         }
-        self.s + way / (1.0 - curvature * self.lane_change.at(self.moving_after(dt / 2.0)).d)
+        self.s + way / (1.0 - curvature * self.lateral(dt / 2.0).d)
     }
 
     /// The body `dt` seconds on, within the current step.
     pub fn body(&self, footprint: Footprint, road: &Road, dt: f64) -> Body {
         let s = self.s_after(road, dt);
-        let Lateral { d, rate, .. } = self.lane_change.at(self.moving_after(dt));
+        let Lateral { d, rate, .. } = self.lateral(dt);
         let along = (self.speed + self.accel * dt).max(0.0);
-        let d_rate = rate * pace(along);
-        let at = road.world_from_road(Frenet { s, d });
-        let turn = if rate == 0.0 {
-            0.0
+        let (at, curvature) = road.pose_and_curvature(Frenet { s, d });
+        let (d_rate, turn) = if rate == 0.0 {
+            (rate, 0.0)
         } else {
-            rate.atan2(along.max(BY_THE_WAY))
+            (rate * pace(along), rate.atan2(along.max(BY_THE_WAY)))
         };
         Body {
             footprint,
@@ -145,7 +159,7 @@ impl Mover {
                 along.hypot(d_rate)
             },
             accel: self.accel,
-            s_rate: along / (1.0 - road.curvature(s) * d),
+            s_rate: along / (1.0 - curvature * d),
             d_rate,
         }
     }

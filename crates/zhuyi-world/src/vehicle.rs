@@ -19,6 +19,7 @@
 //! path is piecewise linear. Source: Rajamani, Vehicle Dynamics and Control (2012), section 2.2; in road coordinates
 //! the same with the reference line's curvature (section 2.5's moving frame). Left out: tyre slip, load transfer, pitch.
 
+use zhuyi_core::geometry::sin_cos;
 use zhuyi_core::{Body, Command, Footprint, Frenet, GRAVITY, Pose, Road};
 
 /// The ego's body, actuators and tyres.
@@ -70,6 +71,13 @@ impl Vehicle {
 
     /// What a steering angle makes of the way ahead.
     pub fn turn(&self, steering: f64) -> Turn {
+        if steering == 0.0 {
+            // Straight on.
+            return Turn {
+                slip: steering,
+                curvature: steering,
+            };
+        }
         let slip = self.slip_angle(steering);
         Turn {
             slip,
@@ -161,11 +169,49 @@ impl Ego {
     /// method); `turn` is what the steering angle makes of the way.
     #[must_use]
     pub fn advanced(&self, turn: Turn, road: &Road, dt: f64) -> Self {
+        if let Some(way) = self.straight_way(turn, road, dt) {
+            return way;
+        }
+        self.advanced_by_steps(turn, road, dt)
+    }
+
+    /// The same where it goes straight on: of the four slopes the second and third are one, and none turns the heading.
+    #[inline]
+    fn straight_way(&self, turn: Turn, road: &Road, dt: f64) -> Option<Self> {
+        let Frenet { s, d } = self.road;
+        let last = self.speed + self.accel * dt;
+        // No slope is greater than both of these.
+        let reach = s + dt * (self.speed + last);
+        let is_straight = || road.straight_until(s).is_some_and(|end| reach < end);
+        if !(turn.curvature == 0.0 && last >= 0.0 && is_straight()) {
+            return None;
+        }
+        let (sin, cos) = sin_cos(self.heading + turn.slip);
+        if cos < 0.0 {
+            return None;
+        }
+        let middle = self.speed + self.accel * (dt / 2.0);
+        let step = |share: f64| {
+            let [k1, k2, k4] = [self.speed, middle, last].map(|speed| speed * share);
+            dt / 6.0 * (k1 + 2.0 * (k2 + k2) + k4)
+        };
+        Some(Self {
+            road: Frenet {
+                s: s + step(cos),
+                d: d + step(sin),
+            },
+            speed: last.max(0.0),
+            ..*self
+        })
+    }
+
+    /// The same on any way.
+    fn advanced_by_steps(&self, turn: Turn, road: &Road, dt: f64) -> Self {
         let mut known = (f64::NAN, (0.0, 1.0));
         // On a straight way the heading stays, and so do its sine and cosine.
         let mut sin_cos = |angle: f64| {
             if angle != known.0 {
-                known = (angle, angle.sin_cos());
+                known = (angle, sin_cos(angle));
             }
             known.1
         };
@@ -201,15 +247,15 @@ impl Ego {
 
     /// The body as others see it.
     pub fn body(&self, vehicle: &Vehicle, turn: Turn, road: &Road) -> Body {
-        let at = road.world_from_road(self.road);
-        let (sin, cos) = (self.heading + turn.slip).sin_cos();
+        let (at, curvature) = road.pose_and_curvature(self.road);
+        let (sin, cos) = sin_cos(self.heading + turn.slip);
         Body {
             footprint: vehicle.footprint,
             road: self.road,
             pose: Pose::new(at.x, at.y, at.heading + self.heading),
             speed: self.speed,
             accel: self.accel,
-            s_rate: self.speed * cos / (1.0 - road.curvature(self.road.s) * self.road.d),
+            s_rate: self.speed * cos / (1.0 - curvature * self.road.d),
             d_rate: self.speed * sin,
         }
     }

@@ -1,6 +1,6 @@
 //! The ego and the actors on the road, moved in fixed steps.
 
-use zhuyi_core::{ActorId, Command, Pose, Road, Scene, SimTime};
+use zhuyi_core::{ActorId, Body, Command, Pose, Road, Scene, SimTime};
 
 use crate::actor::Mover;
 use crate::contact::{Contact, Motion, first_contact};
@@ -144,7 +144,7 @@ impl<'a> World<'a> {
         self.ego.advanced(self.turn, self.road, elapsed)
     }
 
-    fn fill(&self, time: SimTime, bodies: &mut Vec<zhuyi_core::Body>) {
+    fn fill(&self, time: SimTime, bodies: &mut Vec<Body>) {
         let dt = (time - self.before).seconds();
         bodies.clear();
         bodies.extend(
@@ -163,7 +163,7 @@ impl<'a> World<'a> {
     }
 
     fn contact(&self) -> Option<Contact> {
-        let motion = |from: &zhuyi_core::Body, to: &zhuyi_core::Body| Motion {
+        let motion = |from: &Body, to: &Body| Motion {
             footprint: to.footprint,
             from: from.pose,
             to: to.pose,

@@ -162,6 +162,7 @@ impl Road {
     }
 
     /// [1/m] curvature of the reference line, positive to the left; where two segments meet, that of the second.
+    #[inline]
     pub fn curvature(&self, s: f64) -> f64 {
         let piece = self.piece(s);
         piece.curvature(s - piece.start)
@@ -173,10 +174,38 @@ impl Road {
         piece.heading(s - piece.start)
     }
 
+    /// [m] up to where the road goes straight on from `s`, without end on its last line; none in a bend.
+    ///
+    /// ```
+    /// use zhuyi_core::{Pose, Road, Segment};
+    /// let bend = Segment::Arc { length: 50.0, curvature: 0.01 };
+    /// let road = Road::new(Pose::default(), &[Segment::Line { length: 100.0 }, bend], 2, 3.5)?;
+    /// let ends = [20.0, 120.0, 200.0].map(|s| road.straight_until(s));
+    /// assert_eq!(ends, [Some(100.0), None, Some(f64::INFINITY)]);
+    /// # Ok::<(), zhuyi_core::RoadError>(())
+    /// ```
+    #[inline]
+    pub fn straight_until(&self, s: f64) -> Option<f64> {
+        let place = self.place(s);
+        let end = self
+            .pieces
+            .get(place + 1)
+            .map_or(f64::INFINITY, |next| next.start);
+        self.pieces[place].is_line().then_some(end)
+    }
+
     /// World position of a place, with the heading of the road there.
+    #[inline]
     pub fn world_from_road(&self, place: Frenet) -> Pose {
+        self.pose_and_curvature(place).0
+    }
+
+    /// The same, with the curvature there [1/m].
+    #[inline]
+    pub fn pose_and_curvature(&self, place: Frenet) -> (Pose, f64) {
         let piece = self.piece(place.s);
-        piece.pose(place.s - piece.start, place.d)
+        let u = place.s - piece.start;
+        (piece.pose(u, place.d), piece.curvature(u))
     }
 
     /// The place whose point of the reference line is nearest to `point`; of two equally near ones the first.
@@ -201,12 +230,19 @@ impl Road {
     }
 
     /// The piece that holds `s`.
+    #[inline]
     fn piece(&self, s: f64) -> &Piece {
-        if let [only] = self.pieces.as_slice() {
-            return only;
+        &self.pieces[self.place(s)]
+    }
+
+    /// Its place in the list.
+    #[inline]
+    fn place(&self, s: f64) -> usize {
+        if self.pieces.len() == 1 {
+            return 0;
         }
         let behind = self.pieces.partition_point(|piece| piece.start <= s);
-        &self.pieces[behind.saturating_sub(1)]
+        behind.saturating_sub(1)
     }
 }
 

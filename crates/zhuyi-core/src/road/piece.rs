@@ -94,6 +94,7 @@ impl Shape {
         }
     }
 
+    #[inline]
     fn curvature(&self, u: f64) -> f64 {
         match self {
             Self::Line => 0.0,
@@ -118,8 +119,9 @@ impl Piece {
         }
     }
 
+    #[inline]
     pub(super) fn is_line(&self) -> bool {
-        self.shape == Shape::Line
+        matches!(self.shape, Shape::Line)
     }
 
     /// Adds `length` at its end.
@@ -131,11 +133,13 @@ impl Piece {
         self.origin.heading + self.shape.heading(u)
     }
 
+    #[inline]
     pub(super) fn curvature(&self, u: f64) -> f64 {
         self.shape.curvature(u)
     }
 
     /// World pose at `u` along and `d` to the left of the curve.
+    #[inline]
     pub(super) fn pose(&self, u: f64, d: f64) -> Pose {
         let (x, y, turned) = match &self.shape {
             Shape::Line => (u, d, 0.0),

@@ -96,7 +96,7 @@ fn law_what_is_overtaken_is_dropped_and_every_frame_is_accounted_for() {
     let (frames, eyes) = seen(&jittered(0.05), [100.0, 10.0]);
     let front = exposures(&frames, FRONT);
     assert!(front.is_sorted() && eyes.frames_dropped(FRONT) > 1000);
-    let waiting = eyes.in_flight().iter();
+    let waiting = eyes.in_flight();
     let waiting = waiting.filter(|frame| frame.camera == FRONT).count() as u64;
     assert_eq!(
         eyes.frames_exposed(FRONT),
