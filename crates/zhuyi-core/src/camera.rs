@@ -61,7 +61,7 @@ impl Camera {
     }
 }
 
-/// [m] nearer than this to the border of what is surely out of view, the corners of a box are looked at one by one.
+/// [m] what is nearer than this to a border is not plain.
 const CLEARANCE: f64 = 1e-3;
 
 /// What a camera covers, ready to be asked for many points: a sector of a circle.
@@ -72,14 +72,14 @@ const CLEARANCE: f64 = 1e-3;
 #[derive(Clone, Copy, Debug)]
 pub struct Sector {
     eye: Point,
-    /// [rad] where it looks ...
-    heading: f64,
-    /// ... as a direction.
+    /// Where it looks.
     axis: (f64, f64),
-    /// [-] cos(fov/2) and sin(fov/2).
-    edge: (f64, f64),
+    /// [-] cos(fov/2).
+    edge: f64,
     /// Directions of its right and its left border.
     borders: [(f64, f64); 2],
+    /// Whether it is at most half a turn, so that the borders tell what lies between them.
+    narrow: bool,
     /// [m]
     range: f64,
 }
@@ -87,30 +87,18 @@ pub struct Sector {
 impl Sector {
     /// The sector of a camera at `pose` (from [`Camera::pose`]).
     pub fn new(camera: &Camera, pose: Pose) -> Self {
-        let (sin, cos) = (camera.fov / 2.0).sin_cos();
-        let mut sector = Self {
+        let (sin, cos) = sin_cos(pose.heading);
+        let (s, c) = (camera.fov / 2.0).sin_cos();
+        Self {
             eye: pose.point(),
-            heading: f64::NAN,
-            axis: (1.0, 0.0),
-            edge: (cos, sin),
-            borders: [(1.0, 0.0); 2],
-            range: camera.range,
-        };
-        sector.move_to(pose);
-        sector
-    }
-
-    /// Moves it on to where the camera is now.
-    pub fn move_to(&mut self, pose: Pose) {
-        self.eye = pose.point();
-        if pose.heading != self.heading {
-            let (sin, cos) = sin_cos(pose.heading);
-            (self.heading, self.axis) = (pose.heading, (cos, sin));
-            let (c, s) = self.edge;
-            self.borders = [
+            axis: (cos, sin),
+            edge: c,
+            borders: [
                 (cos * c + sin * s, sin * c - cos * s),
                 (cos * c - sin * s, sin * c + cos * s),
-            ];
+            ],
+            narrow: c > CLEARANCE,
+            range: camera.range,
         }
     }
 
@@ -120,27 +108,31 @@ impl Sector {
     }
 
     /// Whether the centre or one of the corners of a box at `pose` does (reading R14).
-    #[inline]
     pub fn holds_box(&self, footprint: Footprint, pose: Pose) -> bool {
-        let centre = self.seen(pose.point());
-        if self.holds_seen(centre) {
-            return true;
-        }
-        // No corner is farther from the centre than this.
-        let reach = f64::midpoint(footprint.length, footprint.width);
         let corners = || footprint.corners(pose).into_iter();
-        !self.misses(centre, reach) && corners().any(|corner| self.holds(corner))
+        self.holds(pose.point()) || corners().any(|corner| self.holds(corner))
     }
 
-    /// Whether all of what lies within `reach` of a point surely lies outside, beyond the range or one of the borders.
+    /// The same where it is plain by the `centre` of the box and the distance `reach` [m] beyond which no corner is.
     #[inline]
-    fn misses(&self, (x, y): (f64, f64), reach: f64) -> bool {
-        let clear = reach + CLEARANCE;
-        let far = self.range + clear;
+    pub fn holds_plainly(&self, centre: Point, reach: f64) -> Option<bool> {
+        if !self.narrow {
+            return None;
+        }
+        let (x, y) = self.seen(centre);
         let [right, left] = self.borders;
-        let narrow = self.edge.0 >= 0.0;
-        let beside = right.0 * y - right.1 * x < -clear || x * left.1 - y * left.0 < -clear;
-        (narrow && beside) || x * x + y * y > far * far
+        let (past_right, past_left) = (right.0 * y - right.1 * x, x * left.1 - y * left.0);
+        let clear = reach + CLEARANCE;
+        if past_right < -clear || past_left < -clear {
+            return Some(false);
+        }
+        let squared = x * x + y * y;
+        let (near, far) = (self.range - CLEARANCE, self.range + clear);
+        if squared > far * far {
+            return Some(false);
+        }
+        let inside = past_right > CLEARANCE && past_left > CLEARANCE;
+        (inside && squared < near * near).then_some(true)
     }
 
     /// A point as seen from the eye.
@@ -151,7 +143,7 @@ impl Sector {
     fn holds_seen(&self, (x, y): (f64, f64)) -> bool {
         let squared = x * x + y * y;
         squared <= self.range * self.range
-            && x * self.axis.0 + y * self.axis.1 >= squared.sqrt() * self.edge.0
+            && x * self.axis.0 + y * self.axis.1 >= squared.sqrt() * self.edge
     }
 }
 

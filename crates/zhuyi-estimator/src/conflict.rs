@@ -47,7 +47,7 @@ pub(crate) struct Span {
 /// All that conflict times depend on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Corridor<'a> {
-    pub view: View<'a>,
+    pub view: &'a View<'a>,
     /// The ego, whose acceleration is held.
     pub held: Start,
     /// [m] `s` of the ego's centre at t_0.
@@ -99,7 +99,8 @@ impl Lines {
 }
 
 impl<'a> Corridor<'a> {
-    pub fn new(params: &Params, ego: &Ego, actor: Footprint, view: View<'a>) -> Self {
+    #[inline]
+    pub fn new(params: &Params, ego: &Ego, actor: Footprint, view: &'a View<'a>) -> Self {
         Self {
             view,
             held: Start::new(ego.speed, ego.accel),
@@ -110,12 +111,15 @@ impl<'a> Corridor<'a> {
         }
     }
 
-    /// The one relation of an actor that keeps its offset from t_0 on for ever; `index` is its piece at t_0.
-    fn only_side(&self, index: usize) -> Option<Side> {
-        match &self.view.future.across[index..] {
-            [piece] if piece.d_rate == 0.0 && self.horizon > 0.0 => {
-                Some(self.lines.side_at(piece.d - self.lines.ego))
-            }
+    /// The one relation of an actor that has no other from t_0 on; none where more than its last piece is to be looked at.
+    #[inline]
+    fn only_side(&self) -> Option<Side> {
+        let (across, [_, first]) = (self.view.future.across, self.view.first);
+        if let Some((side, next)) = self.view.side_of(first) {
+            return (next == across.len()).then_some(side);
+        }
+        match &across[first..] {
+            [piece] if piece.d_rate == 0.0 => Some(self.lines.side_at(piece.d - self.lines.ego)),
             _ => None,
         }
     }
@@ -192,7 +196,7 @@ impl Walk {
 
     /// The relation just after the current time, until when it surely lasts, and the piece that follows then.
     fn side(&self, corridor: &Corridor<'_>) -> (Side, f64, usize) {
-        let (view, horizon) = (&corridor.view, corridor.horizon);
+        let (view, horizon) = (corridor.view, corridor.horizon);
         if let Some((side, next)) = view.side_of(self.index) {
             let across = view.future.across;
             let end = across
@@ -333,10 +337,12 @@ pub(crate) struct Spans {
 impl Spans {
     /// `None` where there is no conflict time.
     pub fn new(corridor: &Corridor<'_>) -> Option<Self> {
-        let mut walk = Walk::new(corridor);
-        if let Some(side) = corridor.only_side(walk.index) {
-            return Self::of_one(walk.judge(corridor, 0.0, corridor.horizon, side));
+        if corridor.horizon > 0.0
+            && let Some(side) = corridor.only_side()
+        {
+            return Self::of_one_side(corridor, side);
         }
+        let mut walk = Walk::new(corridor);
         let span = walk.next(corridor)?;
         if walk.pending.is_none() {
             return Self::of_one(span);
@@ -355,6 +361,28 @@ impl Spans {
             }
         }
         Some(spans)
+    }
+
+    /// One side for the whole horizon: at most one stay.
+    #[inline]
+    fn of_one_side(corridor: &Corridor<'_>, side: Side) -> Option<Self> {
+        let zone = match side {
+            Side::Apart => return None,
+            Side::Close => Zone::Close,
+            Side::Overlap => Zone::Overlap,
+        };
+        let (ahead, reach) = (corridor.ahead(0.0), corridor.reach);
+        let stay = Span {
+            start: 0.0,
+            end: corridor.horizon,
+            zone,
+            abreast: ahead < reach,
+        };
+        (ahead >= -reach).then_some(Self {
+            first: [stay; KEPT],
+            len: 1,
+            rest: None,
+        })
     }
 
     /// What comes before the first conflict is one span, so a future without conflict has no second one.

@@ -17,6 +17,15 @@ pub struct Estimator {
     latencies: Latencies,
 }
 
+/// An estimate, and what it took.
+struct Answer {
+    estimate: Estimate,
+    /// How often a candidate was looked at on a piece.
+    evaluations: u32,
+    /// Its place among the candidates; nowhere if there was no conflict, or if no rate helped.
+    place: Option<usize>,
+}
+
 impl Estimator {
     /// An estimator for these parameters.
     pub fn new(params: Params) -> Self {
@@ -79,8 +88,8 @@ impl Estimator {
         future: &Future<'_>,
         current_latency: f64,
     ) -> Estimate {
-        self.answer(ego, actor, View::plain(*future), current_latency, None)
-            .0
+        self.answer(ego, actor, &View::plain(*future), current_latency, None)
+            .estimate
     }
 
     /// The same answer, sooner where it is what it was a step ago: `last` is looked at first and nothing else if it
@@ -108,14 +117,9 @@ impl Estimator {
         current_latency: f64,
         last: &Estimate,
     ) -> Estimate {
-        self.answer(
-            ego,
-            actor,
-            View::plain(*future),
-            current_latency,
-            Some(last),
-        )
-        .0
+        let (view, guess) = (View::plain(*future), self.place(last));
+        self.answer(ego, actor, &view, current_latency, guess)
+            .estimate
     }
 
     /// How often a latency was held against a piece of the future to answer [`Estimator::trajectory`]: the paper's
@@ -127,8 +131,8 @@ impl Estimator {
         future: &Future<'_>,
         current_latency: f64,
     ) -> u32 {
-        self.answer(ego, actor, View::plain(*future), current_latency, None)
-            .1
+        self.answer(ego, actor, &View::plain(*future), current_latency, None)
+            .evaluations
     }
 
     /// The same for a recorded future with `now` on its clock as t_0: the same answer, sooner for long lists.
@@ -140,8 +144,8 @@ impl Estimator {
         now: f64,
         current_latency: f64,
     ) -> Estimate {
-        self.answer(ego, actor, recording.view(now), current_latency, None)
-            .0
+        self.answer(ego, actor, &recording.view(now), current_latency, None)
+            .estimate
     }
 
     /// The same of a recording that is asked step after step, sooner by what the steps before have told.
@@ -155,38 +159,54 @@ impl Estimator {
     ) -> Estimate {
         let last = playback.last;
         let view = playback.view(now, Lines::new(&self.params, ego, actor));
-        let (estimate, _) = self.answer(ego, actor, view, current_latency, last.as_ref());
-        *playback.last.insert(estimate)
+        let answer = self.answer(ego, actor, &view, current_latency, last);
+        playback.last = answer.place;
+        answer.estimate
     }
 
+    /// The answer, looked for first at the candidate `guess`.
+    #[inline]
     fn answer(
         &self,
         ego: &Ego,
         actor: Footprint,
-        view: View<'_>,
+        view: &View<'_>,
         current_latency: f64,
-        last: Option<&Estimate>,
-    ) -> (Estimate, u32) {
-        let quiet = Estimate {
+        guess: Option<usize>,
+    ) -> Answer {
+        let corridor = Corridor::new(&self.params, ego, actor, view);
+        if let Some(encounter) = Encounter::new(&self.params, &corridor) {
+            return self.conflict(&encounter, current_latency, guess);
+        }
+        let estimate = Estimate {
             state: State::None,
             latency: Some(self.largest()),
             t_n: None,
             binding: None,
             extrapolated: view.future.extrapolated(self.params.horizon),
         };
-        let corridor = Corridor::new(&self.params, ego, actor, view);
-        let Some(encounter) = Encounter::new(&self.params, &corridor) else {
-            return (quiet, 0);
-        };
+        Answer {
+            estimate,
+            evaluations: 0,
+            place: None,
+        }
+    }
+
+    /// The same where there is a conflict.
+    fn conflict(
+        &self,
+        encounter: &Encounter<'_>,
+        current_latency: f64,
+        guess: Option<usize>,
+    ) -> Answer {
         let judge = Judge {
-            encounter: &encounter,
+            encounter,
             params: &self.params,
         };
         // Behind the latencies of the grid stands the last candidate: to react at once.
         let latencies = self.latencies();
         let delay = |index: usize| self.delay(latencies.get(index).copied(), current_latency);
-        let near_last = last.and_then(|last| self.place(last));
-        let guess = near_last.unwrap_or_else(|| {
+        let guess = guess.unwrap_or_else(|| {
             let frames = self.params.confirm_frames;
             self.first_within(latency_within(encounter.guess(), current_latency, frames))
         });
@@ -198,19 +218,24 @@ impl Estimator {
             Some(0) => (State::BeyondGrid, found.index.checked_sub(1)),
             Some(_) => (State::Unavoidable, found.index.checked_sub(1)),
         };
-        let unmet_until = if state == State::Alongside {
-            0.0
-        } else {
-            found.unmet_until
-        };
+        let alongside = state == State::Alongside;
+        let unmet_until = if alongside { 0.0 } else { found.unmet_until };
         let estimate = Estimate {
             state,
             latency: latencies.get(found.index).copied(),
-            t_n: found.t_n.filter(|_| state != State::Alongside),
+            t_n: found.t_n.filter(|_| !alongside),
             binding: refused.and_then(|index| judge.refusal(delay(index), unmet_until)),
-            ..quiet
+            extrapolated: encounter
+                .corridor
+                .view
+                .future
+                .extrapolated(self.params.horizon),
         };
-        (estimate, found.evaluations)
+        Answer {
+            estimate,
+            evaluations: found.evaluations,
+            place: (!alongside).then(|| found.index.min(latencies.len())),
+        }
     }
 
     /// What a latency costs; none: to react at once.
@@ -232,7 +257,7 @@ impl Estimator {
         self.latencies().partition_point(larger)
     }
 
-    /// Where an answer stands among the candidates; nowhere if there was no conflict, or if no rate helped.
+    /// As [`Answer::place`].
     fn place(&self, estimate: &Estimate) -> Option<usize> {
         let latencies = self.latencies();
         match estimate.state {

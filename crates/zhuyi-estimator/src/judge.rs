@@ -235,7 +235,8 @@ mod tests {
             let ego = Ego { s: 0.0, d: 0.0, speed, accel, footprint: CAR };
             let future = Future { along: &along, across: &across, known_until: 20.0, now: 0.0 };
             let params = Params { criterion: Criterion::Paper, ..Params::default() };
-            let corridor = Corridor::new(&params, &ego, CAR, View::plain(future));
+            let view = View::plain(future);
+            let corridor = Corridor::new(&params, &ego, CAR, &view);
             let Some(encounter) = Encounter::new(&params, &corridor) else { return Ok(()) };
             let judge = Judge { encounter: &encounter, params: &params };
             let delay = |index: usize| {

@@ -10,15 +10,16 @@
 
 use zhuyi_core::Across;
 
+use crate::Future;
 use crate::conflict::{Lines, Side};
 use crate::recording::{Recording, View};
-use crate::{Estimate, Future};
 
 /// A recording with what its last answer told.
 #[derive(Clone, Debug)]
 pub struct Playback<'a> {
     recording: &'a Recording,
-    pub(crate) last: Option<Estimate>,
+    /// The place of the last answer among the candidates.
+    pub(crate) last: Option<usize>,
     /// [s] the last t_0, and the pieces that held then, along and across.
     at: (f64, [usize; 2]),
     /// What the runs are for.
@@ -49,6 +50,7 @@ impl<'a> Playback<'a> {
     }
 
     /// The recording as seen from `now` by an ego with these lines beside it.
+    #[inline]
     pub(crate) fn view(&mut self, now: f64, lines: Lines) -> View<'_> {
         let trajectory = self.recording.trajectory();
         let (before, [mut along, mut across]) = self.at;

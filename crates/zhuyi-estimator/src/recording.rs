@@ -117,6 +117,9 @@ impl<'a> View<'a> {
     /// where nobody has looked, or it changes within the piece.
     #[inline]
     pub fn side_of(&self, index: usize) -> Option<(Side, usize)> {
+        if self.runs.is_empty() {
+            return None;
+        }
         let behind = self.runs.partition_point(|run| run.first <= index);
         let side = self.runs.get(behind.checked_sub(1)?)?.side?;
         let next = self.runs.get(behind).map(|run| run.first);

@@ -1,4 +1,4 @@
-//! The Kalman filter of one coordinate, along the road or across it.
+//! The Kalman filter of one coordinate, along the road or across it, or of both side by side.
 //!
 //! ```text
 //! x = (p, v, a),   a jumps by a step of variance q t when a frame interval t begins, then holds
@@ -22,9 +22,13 @@
 //! Wiener process acceleration); Joseph's form of the update, 3.4.2. A driver who begins to brake makes a step, not a
 //! ramp: under white jerk (6.2.3) the estimate after a step overshoots by half at 1 Hz and then swings. The two errors
 //! of a measurement are independent, so its entries may be taken one after the other and nothing has to be inverted.
-//! Leaves out any coupling between along and across.
+//! Leaves out any coupling between along and across: both are one filter of [`f64x2`], each in a lane of its own, and
+//! each lane is to the last bit what a filter of `f64` makes of it.
 
-use nalgebra::{Matrix3, Vector3};
+use std::ops::{Add, Div, Mul, Sub};
+
+use nalgebra::{Matrix3, Scalar, Vector3};
+use wide::f64x2;
 
 /// [m/s2] standard deviation of the acceleration of an actor that has been seen once.
 pub const FIRST_ACCEL_DEVIATION: f64 = 3.0;
@@ -33,23 +37,67 @@ pub const FIRST_ACCEL_DEVIATION: f64 = 3.0;
 /// user switches the noise off.
 pub const LEAST_DEVIATION: f64 = 1e-3;
 
-/// A measured position and speed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Measurement {
-    /// [m] position.
-    pub position: f64,
-    /// [m/s] speed.
-    pub speed: f64,
-    /// [m] standard deviation of the position.
-    pub position_deviation: f64,
-    /// [m/s] standard deviation of the speed.
-    pub speed_deviation: f64,
+/// What a filter reckons in: a number, or two side by side.
+pub trait Number:
+    Scalar + Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    /// The same in every lane.
+    fn all(value: f64) -> Self;
+    /// The larger in every lane.
+    #[must_use]
+    fn at_least(self, least: f64) -> Self;
+    /// The square root in every lane.
+    #[must_use]
+    fn root(self) -> Self;
 }
 
-impl Measurement {
+impl Number for f64 {
+    fn all(value: f64) -> Self {
+        value
+    }
+    fn at_least(self, least: f64) -> Self {
+        self.max(least)
+    }
+    fn root(self) -> Self {
+        self.sqrt()
+    }
+}
+
+impl Number for f64x2 {
+    #[inline]
+    fn all(value: f64) -> Self {
+        Self::splat(value)
+    }
+    #[inline]
+    fn at_least(self, least: f64) -> Self {
+        self.max(Self::splat(least))
+    }
+    #[inline]
+    fn root(self) -> Self {
+        self.sqrt()
+    }
+}
+
+/// A measured position and speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measurement<N = f64> {
+    /// [m] position.
+    pub position: N,
+    /// [m/s] speed.
+    pub speed: N,
+    /// [m] standard deviation of the position.
+    pub position_deviation: N,
+    /// [m/s] standard deviation of the speed.
+    pub speed_deviation: N,
+}
+
+impl<N: Number> Measurement<N> {
     /// The measured entries, position and speed, with their variances.
-    fn entries(&self) -> [(f64, f64); 2] {
-        let variance = |deviation: f64| deviation.max(LEAST_DEVIATION).powi(2);
+    fn entries(&self) -> [(N, N); 2] {
+        let variance = |deviation: N| {
+            let deviation = deviation.at_least(LEAST_DEVIATION);
+            deviation * deviation
+        };
         [
             (self.position, variance(self.position_deviation)),
             (self.speed, variance(self.speed_deviation)),
@@ -59,24 +107,22 @@ impl Measurement {
 
 /// What is believed about one coordinate.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Axis {
+pub struct Axis<N: Scalar = f64> {
     /// [m, m/s, m/s2] expected position, speed and acceleration.
-    pub mean: Vector3<f64>,
+    pub mean: Vector3<N>,
     /// Its covariance.
-    pub covariance: Matrix3<f64>,
+    pub covariance: Matrix3<N>,
 }
 
-impl Axis {
+impl<N: Number> Axis<N> {
     /// After the first measurement: no acceleration, within [`FIRST_ACCEL_DEVIATION`].
-    pub fn start(measured: &Measurement) -> Self {
+    pub fn start(measured: &Measurement<N>) -> Self {
         let [(position, position_variance), (speed, speed_variance)] = measured.entries();
+        let (zero, accel_variance) = (N::all(0.0), N::all(FIRST_ACCEL_DEVIATION.powi(2)));
+        let variances = [position_variance, speed_variance, accel_variance];
         Self {
-            mean: Vector3::new(position, speed, 0.0),
-            covariance: Matrix3::from_diagonal(&Vector3::new(
-                position_variance,
-                speed_variance,
-                FIRST_ACCEL_DEVIATION.powi(2),
-            )),
+            mean: Vector3::new(position, speed, zero),
+            covariance: Matrix3::from_fn(|r, c| if r == c { variances[r] } else { zero }),
         }
     }
 
@@ -91,11 +137,13 @@ impl Axis {
     /// assert!((later.covariance[(0, 0)] - 36.17).abs() < 1e-12);
     /// ```
     #[must_use]
-    pub fn predict(&self, time: f64, jerk_density: f64) -> Self {
+    #[inline]
+    pub fn predict(&self, time: f64, jerk_density: N) -> Self {
         // The products of the matrices above, without their zeros.
-        let (t, h, x, p) = (time, time * time / 2.0, &self.mean, &self.covariance);
+        let (x, p) = (&self.mean, &self.covariance);
         let top = top_row(time);
-        let middle = |p1: f64, p2: f64| p1 + t * p2;
+        let (t, h) = (N::all(time), N::all(time * time / 2.0));
+        let middle = |p1: N, p2: N| p1 + t * p2;
         let rows = [
             [
                 top(p.m11, p.m21, p.m31),
@@ -124,21 +172,26 @@ impl Axis {
     }
 
     /// Takes a measurement of the present instant.
-    pub fn measure(&mut self, measured: &Measurement) {
+    #[inline]
+    pub fn measure(&mut self, measured: &Measurement<N>) {
         let [position, speed] = measured.entries();
         self.take::<0>(position);
         self.take::<1>(speed);
     }
 
     /// Takes one measured entry and its variance.
-    fn take<const ENTRY: usize>(&mut self, (value, variance): (f64, f64)) {
+    #[inline]
+    fn take<const ENTRY: usize>(&mut self, (value, variance): (N, N)) {
         let p = &self.covariance;
-        let gain: Vector3<f64> = p.column(ENTRY) / (p[(ENTRY, ENTRY)] + variance);
-        self.mean += gain * (value - self.mean[ENTRY]);
+        let innovation_variance = p[(ENTRY, ENTRY)] + variance;
+        let gain: [N; 3] = [0, 1, 2].map(|r| p[(r, ENTRY)] / innovation_variance);
+        let innovation = value - self.mean[ENTRY];
+        self.mean = Vector3::from_fn(|r, _| self.mean[r] + gain[r] * innovation);
         // I - k e_iᵀ differs from I in one column alone.
-        let kept = |whole: f64, place: usize, measured: f64| {
+        let one = N::all(1.0);
+        let kept = |whole: N, place: usize, measured: N| {
             if place == ENTRY {
-                measured * (1.0 - gain[ENTRY])
+                measured * (one - gain[ENTRY])
             } else {
                 whole - measured * gain[place]
             }
@@ -150,22 +203,24 @@ impl Axis {
     }
 
     /// [m] standard deviation of the position after `time` [s] without a measurement, as [`Axis::predict`] has it.
-    pub fn deviation_after(&self, time: f64, jerk_density: f64) -> f64 {
-        let (t, h, p) = (time, time * time / 2.0, &self.covariance);
-        let top = top_row(time);
+    #[inline]
+    pub fn deviation_after(&self, time: f64, jerk_density: N) -> N {
+        let (p, top) = (&self.covariance, top_row(time));
+        let (t, h) = (N::all(time), N::all(time * time / 2.0));
         let first_row = (
             top(p.m11, p.m21, p.m31),
             top(p.m12, p.m22, p.m32),
             top(p.m13, p.m23, p.m33),
         );
         let variance = top(first_row.0, first_row.1, first_row.2) + h * h * (jerk_density * t);
-        variance.sqrt()
+        variance.root()
     }
 }
 
 /// The first row of F, to be multiplied by a column.
-fn top_row(t: f64) -> impl Fn(f64, f64, f64) -> f64 {
-    let h = t * t / 2.0;
+#[inline]
+fn top_row<N: Number>(time: f64) -> impl Fn(N, N, N) -> N {
+    let (t, h) = (N::all(time), N::all(time * time / 2.0));
     move |p0, p1, p2| p0 + t * p1 + h * p2
 }
 
@@ -217,6 +272,46 @@ mod tests {
             assert_eq!(deviation, axis.covariance[(0, 0)].sqrt(), "step {step}");
             axis.measure(&measured(k));
             assert_eq!(axis, plain, "step {step}");
+        }
+    }
+
+    #[test]
+    fn law_two_lanes_are_two_filters_to_the_last_bit() {
+        let measured = |k: f64| {
+            [0.0, 1.0].map(|lane| Measurement {
+                position: 20.0 * k + (k + lane).sin(),
+                speed: 20.0 + (3.0 * k + lane).cos(),
+                position_deviation: 0.3 * lane,
+                speed_deviation: 0.4,
+            })
+        };
+        let beside = |[along, across]: [Measurement; 2]| Measurement {
+            position: f64x2::new([along.position, across.position]),
+            speed: f64x2::new([along.speed, across.speed]),
+            position_deviation: f64x2::new([along.position_deviation, across.position_deviation]),
+            speed_deviation: f64x2::new([along.speed_deviation, across.speed_deviation]),
+        };
+        let mut both = Axis::start(&beside(measured(0.0)));
+        let mut each = measured(0.0).map(|measured| Axis::start(&measured));
+        for step in 1..200 {
+            let k = f64::from(step);
+            let (time, density) = (0.01 * (1.0 + k % 97.0), [0.1 * (k % 5.0), 0.3]);
+            let deviations = both.deviation_after(time, f64x2::new(density)).to_array();
+            both = both.predict(time, f64x2::new(density));
+            both.measure(&beside(measured(k)));
+            for lane in 0..2 {
+                let axis = &mut each[lane];
+                assert_eq!(deviations[lane], axis.deviation_after(time, density[lane]));
+                *axis = axis.predict(time, density[lane]);
+                axis.measure(&measured(k)[lane]);
+                assert_eq!(
+                    both.mean.map(|x| x.to_array()[lane]),
+                    axis.mean,
+                    "step {step}"
+                );
+                let covariance = both.covariance.map(|x| x.to_array()[lane]);
+                assert_eq!(covariance, axis.covariance, "step {step}");
+            }
         }
     }
 }

@@ -16,6 +16,7 @@
 //! of [`crate::axis`] throughout. A measurement older than the newest one taken is left out of the filter: another
 //! camera with less latency has already told more.
 
+use wide::f64x2;
 use zhuyi_core::{ActorId, Detection, Footprint, Frenet, SimTime, Track};
 
 use crate::Perception;
@@ -26,39 +27,44 @@ use crate::axis::{Axis, Measurement};
 pub struct Belief {
     seen: SimTime,
     footprint: Footprint,
-    along: Axis,
-    across: Axis,
+    /// Along the road and across it.
+    axes: Axis<f64x2>,
 }
 
 impl Belief {
     /// After a first detection, exposed at `exposed`.
     pub fn start(detection: &Detection, exposed: SimTime, params: &Perception) -> Self {
-        let (along, across) = measurements(detection, params);
         Self {
             seen: exposed,
             footprint: detection.footprint,
-            along: Axis::start(&along),
-            across: Axis::start(&across),
+            axes: Axis::start(&measurement(detection, params)),
         }
     }
 
     /// Takes a further detection, unless it is older than the newest.
+    #[inline]
     pub fn measure(&mut self, detection: &Detection, exposed: SimTime, params: &Perception) {
         if exposed < self.seen {
             return;
         }
-        (self.along, self.across) = self.predict(exposed, params);
+        let elapsed = self.elapsed(exposed);
+        let along = carry_forward(self.along(), elapsed);
+        self.axes = self.axes.predict(elapsed, jerk_densities(params));
+        for (predicted, along) in self.axes.mean.iter_mut().zip(along) {
+            let [_, across] = predicted.to_array();
+            *predicted = f64x2::new([along, across]);
+        }
         self.seen = exposed;
         self.footprint = detection.footprint;
-        let (along, across) = measurements(detection, params);
-        self.along.measure(&along);
-        self.across.measure(&across);
+        self.axes.measure(&measurement(detection, params));
     }
 
     /// The actor as believed to be at `time`; as last seen, where that is later.
     pub fn track(&self, actor: ActorId, time: SimTime, params: &Perception) -> Track {
         let elapsed = self.elapsed(time);
-        let ([s, s_rate, s_accel], d) = self.carried(elapsed);
+        let ([s, s_rate, s_accel], d, d_rate) = self.carried(elapsed);
+        let deviations = self.axes.deviation_after(elapsed, jerk_densities(params));
+        let [s_deviation, d_deviation] = deviations.to_array();
         Track {
             actor,
             time: time.max(self.seen),
@@ -67,41 +73,39 @@ impl Belief {
             road: Frenet { s, d },
             s_rate,
             s_accel,
-            d_rate: self.across.mean.y,
-            s_deviation: self
-                .along
-                .deviation_after(elapsed, params.jerk_density_along),
-            d_deviation: self
-                .across
-                .deviation_after(elapsed, params.jerk_density_across),
+            d_rate,
+            s_deviation,
+            d_deviation,
         }
     }
 
     /// The place of its centre then.
     pub fn place(&self, time: SimTime) -> Frenet {
-        let ([s, ..], d) = self.carried(self.elapsed(time));
+        let ([s, ..], d, _) = self.carried(self.elapsed(time));
         Frenet { s, d }
     }
 
-    /// The state along the road and the offset, `elapsed` seconds after the exposure.
-    fn carried(&self, elapsed: f64) -> ([f64; 3], f64) {
-        let along = carry_forward(self.along.mean.into(), elapsed);
-        (along, self.across.mean.x + self.across.mean.y * elapsed)
+    /// The state along the road, the offset and its rate, `elapsed` seconds after the exposure.
+    #[inline]
+    fn carried(&self, elapsed: f64) -> ([f64; 3], f64, f64) {
+        let [d, d_rate] = [self.axes.mean.x, self.axes.mean.y].map(|both| both.to_array()[1]);
+        (
+            carry_forward(self.along(), elapsed),
+            d + d_rate * elapsed,
+            d_rate,
+        )
+    }
+
+    /// The expected state along the road, as of the exposure.
+    #[inline]
+    fn along(&self) -> [f64; 3] {
+        let mean: [f64x2; 3] = self.axes.mean.into();
+        mean.map(|both| both.to_array()[0])
     }
 
     /// Its box, as last seen.
     pub fn footprint(&self) -> Footprint {
         self.footprint
-    }
-
-    fn predict(&self, time: SimTime, params: &Perception) -> (Axis, Axis) {
-        let elapsed = self.elapsed(time);
-        let mut along = self.along.predict(elapsed, params.jerk_density_along);
-        along.mean = carry_forward(self.along.mean.into(), elapsed).into();
-        (
-            along,
-            self.across.predict(elapsed, params.jerk_density_across),
-        )
     }
 
     fn elapsed(&self, time: SimTime) -> f64 {
@@ -129,15 +133,17 @@ pub fn carry_forward([position, speed, accel]: [f64; 3], time: f64) -> [f64; 3] 
     }
 }
 
-fn measurements(detection: &Detection, params: &Perception) -> (Measurement, Measurement) {
-    let measurement = |position, speed, position_deviation| Measurement {
-        position,
-        speed,
-        position_deviation,
-        speed_deviation: params.noise_speed,
-    };
-    (
-        measurement(detection.road.s, detection.s_rate, params.noise_along),
-        measurement(detection.road.d, detection.d_rate, params.noise_across),
-    )
+/// Along and across.
+fn measurement(detection: &Detection, params: &Perception) -> Measurement<f64x2> {
+    Measurement {
+        position: f64x2::new([detection.road.s, detection.road.d]),
+        speed: f64x2::new([detection.s_rate, detection.d_rate]),
+        position_deviation: f64x2::new([params.noise_along, params.noise_across]),
+        speed_deviation: f64x2::splat(params.noise_speed),
+    }
+}
+
+/// [m2/s5] along and across.
+fn jerk_densities(params: &Perception) -> f64x2 {
+    f64x2::new([params.jerk_density_along, params.jerk_density_across])
 }

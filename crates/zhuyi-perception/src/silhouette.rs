@@ -13,6 +13,9 @@ use zhuyi_core::{Axes, Footprint, Point, Pose};
 /// [m2] cross products nearer to zero leave the question open: far more than rounding, less than a hand's breadth.
 const MARGIN: f64 = 1e-3;
 
+/// [-] shares nearer to the one asked for leave it open which is larger.
+const SHARE_MARGIN: f64 = 1e-6;
+
 /// [-] relative difference of squared distances below which it is open which is larger.
 const RELATIVE_MARGIN: f64 = 1e-9;
 
@@ -162,6 +165,29 @@ impl Angle {
         excludes(self, other.borders) && excludes(other, self.borders)
     }
 
+    /// Whether another body before this one, which is all in the field of view, leaves `least_share` of it in sight on one
+    /// side. Of two angles below a quarter turn, `tan a / tan b <= a / b <= sin a / sin b` for `a <= b`.
+    fn shows_beside(&self, other: &Self, least_share: f64) -> Option<bool> {
+        let ((right, left), (other_right, other_left)) = (self.borders, other.borders);
+        let in_sight = if other.includes(right) && other.excludes(left) {
+            (other_left, left)
+        } else if other.includes(left) && other.excludes(right) {
+            (right, other_right)
+        } else {
+            return None;
+        };
+        let (part, whole) = (tangent(in_sight)?, tangent((right, left))?);
+        let least = part / whole;
+        let most = least * (1.0 + whole * whole / 2.0);
+        if least > least_share + SHARE_MARGIN {
+            Some(true)
+        } else if most < least_share - SHARE_MARGIN {
+            Some(false)
+        } else {
+            None
+        }
+    }
+
     /// Whether another body surely lies before all of this one.
     fn is_hidden_by(&self, other: &Self) -> bool {
         let (right, left) = self.borders;
@@ -191,17 +217,31 @@ pub(crate) fn sees(
     if least_share <= 0.0 {
         return Some(true);
     }
+    let mut hider = None;
     for (place, other) in silhouettes.iter().enumerate() {
         if place == which || other.spares(&silhouettes[which]) {
             continue;
         }
-        let hides = match other {
-            Silhouette::Before(other) => least_share > MARGIN && body.is_hidden_by(other),
-            _ => false,
+        let Silhouette::Before(other) = other else {
+            return None;
         };
-        return hides.then_some(false);
+        if least_share > MARGIN && body.is_hidden_by(other) {
+            return Some(false);
+        }
+        if !further(body.nearest, other.furthest) || hider.replace(other).is_some() {
+            return None;
+        }
     }
-    Some(least_share <= 1.0)
+    match hider {
+        Some(hider) => body.shows_beside(hider, least_share),
+        None => Some(least_share <= 1.0),
+    }
+}
+
+/// The tangent of the angle from one direction to another; none from a quarter turn on.
+fn tangent((from, to): (Vector, Vector)) -> Option<f64> {
+    let dot = from.0 * to.0 + from.1 * to.1;
+    (dot > MARGIN).then(|| cross(from, to) / dot)
 }
 
 /// Whether one squared distance is surely greater than another.

@@ -6,7 +6,8 @@
 //! [`Hindsight::with_evasion`] lets the ego evade, [`Hindsight::of_the_visible`] leaves out who is hidden (reading R14).
 
 use zhuyi_core::{
-    ActorId, Axes, Body, Camera, CameraId, Footprint, FrameRates, Pose, Road, Sector, SimTime,
+    ActorId, Axes, Body, Camera, CameraId, Footprint, FrameRates, Point, Pose, Road, Sector,
+    SimTime,
 };
 use zhuyi_estimator::phantom::visible_share;
 use zhuyi_estimator::{
@@ -154,10 +155,11 @@ impl<'a> Hindsight<'a> {
         covered: &mut Covered,
         demands: &mut [Demand],
     ) {
-        covered.look(&self.rig, row);
+        covered.look(row);
         let actors = (0..).map(ActorId).zip(row.actors);
-        let counts = |place: usize, _: ActorId, body: &Body| {
-            covered.holds(place, body) && self.shows(self.rig[place].camera, row, body)
+        let counts = |place: usize, actor: ActorId, body: &Body| {
+            let camera = self.rig[place].camera;
+            covered.holds(place, camera, actor, body) && self.shows(camera, row, body)
         };
         estimator.demands_into(&self.rig, actors, counts, estimate, demands);
         if let Some((road, params)) = &self.phantoms {
@@ -241,24 +243,43 @@ impl<'a> Hindsight<'a> {
 }
 
 /// What the cameras cover at one row; kept from row to row, it allocates nothing.
-struct Covered(Vec<Sector>);
+struct Covered {
+    /// As the cameras are mounted, in the frame of the ego.
+    sectors: Vec<Sector>,
+    ego: Pose,
+    /// The centre of every actor there, and [m] how far its corners are from it at most.
+    actors: Vec<(Point, f64)>,
+}
 
 impl Covered {
     fn by(rig: &[Watch<'_>]) -> Self {
-        let sector = |watch: &Watch<'_>| Sector::new(watch.camera, Pose::default());
-        Self(rig.iter().map(sector).collect())
-    }
-
-    fn look(&mut self, rig: &[Watch<'_>], row: &Row<'_>) {
-        let ego = Axes::new(row.ego.pose);
-        for (sector, watch) in self.0.iter_mut().zip(rig) {
-            sector.move_to(watch.camera.pose_on(&ego));
+        let ego = Axes::new(Pose::default());
+        let sector = |watch: &Watch<'_>| Sector::new(watch.camera, watch.camera.pose_on(&ego));
+        Self {
+            sectors: rig.iter().map(sector).collect(),
+            ego: ego.pose,
+            actors: Vec::new(),
         }
     }
 
-    /// As [`Camera::covers_body`].
-    fn holds(&self, place: usize, body: &Body) -> bool {
-        self.0[place].holds_box(body.footprint, body.pose)
+    fn look(&mut self, row: &Row<'_>) {
+        let ego = Axes::new(row.ego.pose);
+        let place = |body: &Body| {
+            let (x, y) = ego.local(body.pose.point());
+            let Footprint { length, width } = body.footprint;
+            (Point::new(x, y), f64::midpoint(length, width))
+        };
+        self.ego = ego.pose;
+        self.actors.clear();
+        self.actors.extend(row.actors.iter().map(place));
+    }
+
+    /// As [`Camera::covers_body`] of the camera at this place.
+    fn holds(&self, place: usize, camera: &Camera, actor: ActorId, body: &Body) -> bool {
+        let (centre, reach) = self.actors[actor.index()];
+        self.sectors[place]
+            .holds_plainly(centre, reach)
+            .unwrap_or_else(|| camera.covers_body(self.ego, body))
     }
 }
 
