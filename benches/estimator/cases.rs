@@ -16,7 +16,7 @@ use zhuyi_core::{Across, ActorId, Along, Footprint, Forecast, FrameRates, Trajec
 use zhuyi_estimator::criticality::{Limits, criticality};
 use zhuyi_estimator::rivals::Rivals;
 use zhuyi_estimator::samples::{Sample, trajectory};
-use zhuyi_estimator::{Ego, Estimate, Estimator, Future, Params, Playback, Recording};
+use zhuyi_estimator::{Ego, Estimate, Estimator, Future, Params, Recording};
 use zhuyi_scenario::{Source, embedded, load};
 use zhuyi_sim::{Draws, Simulation, Trace, recorded};
 
@@ -347,10 +347,9 @@ impl Drive {
         let estimator = estimator();
         let recordings = futures.into_iter().map(Recording::new).collect();
         self.case_of_courses(name, recordings, move |egos, recording| {
-            let mut playback = Playback::new(recording);
+            let mut playback = estimator.playback(recording, CAR);
             for (now, ego) in egos {
-                let ego = black_box(ego);
-                black_box(estimator.played(ego, CAR, &mut playback, *now, CURRENT_LATENCY));
+                black_box(playback.tolerance(black_box(ego), *now, CURRENT_LATENCY));
             }
         })
     }

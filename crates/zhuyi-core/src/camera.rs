@@ -113,26 +113,35 @@ impl Sector {
         self.holds(pose.point()) || corners().any(|corner| self.holds(corner))
     }
 
-    /// The same where it is plain by the `centre` of the box and the distance `reach` [m] beyond which no corner is.
-    #[inline]
-    pub fn holds_plainly(&self, centre: Point, reach: f64) -> Option<bool> {
+    /// The same where it is plain by the `centre` of the box and the distance `reach` [m] beyond which no corner is; and how
+    /// far [m] the centre may surely go before it changes.
+    ///
+    /// ```
+    /// use zhuyi_core::{Camera, Point, Pose, camera::Sector};
+    /// let camera = Camera {
+    ///     name: "front".into(), forward: 0.0, left: 0.0, yaw: 0.0, fov: 1.0, range: 100.0, analysed: true,
+    /// };
+    /// let sector = Sector::new(&camera, Pose::default());
+    /// let told = |x: f64, y: f64| sector.holds_plainly(Point::new(x, y), 3.0);
+    /// assert!(told(90.0, 0.0).is_some_and(|(held, margin)| held && (9.9..10.0).contains(&margin)));
+    /// assert!(told(-10.0, 0.0).is_some_and(|(held, margin)| !held && margin > 1.0));
+    /// assert_eq!(told(101.0, 0.0), None);
+    /// ```
+    pub fn holds_plainly(&self, centre: Point, reach: f64) -> Option<(bool, f64)> {
         if !self.narrow {
             return None;
         }
         let (x, y) = self.seen(centre);
         let [right, left] = self.borders;
-        let (past_right, past_left) = (right.0 * y - right.1 * x, x * left.1 - y * left.0);
-        let clear = reach + CLEARANCE;
-        if past_right < -clear || past_left < -clear {
-            return Some(false);
+        let inside = (right.0 * y - right.1 * x).min(x * left.1 - y * left.0);
+        let within = inside.min(self.range - x.hypot(y));
+        if within > CLEARANCE {
+            Some((true, within - CLEARANCE))
+        } else if within < -reach - CLEARANCE {
+            Some((false, -within - reach - CLEARANCE))
+        } else {
+            None
         }
-        let squared = x * x + y * y;
-        let (near, far) = (self.range - CLEARANCE, self.range + clear);
-        if squared > far * far {
-            return Some(false);
-        }
-        let inside = past_right > CLEARANCE && past_left > CLEARANCE;
-        (inside && squared < near * near).then_some(true)
     }
 
     /// A point as seen from the eye.

@@ -113,7 +113,7 @@ impl<'a> Corridor<'a> {
 
     /// The one relation of an actor that has no other from t_0 on; none where more than its last piece is to be looked at.
     #[inline]
-    fn only_side(&self) -> Option<Side> {
+    pub fn only_side(&self) -> Option<Side> {
         let (across, [_, first]) = (self.view.future.across, self.view.first);
         if let Some((side, next)) = self.view.side_of(first) {
             return (next == across.len()).then_some(side);
@@ -158,9 +158,14 @@ impl<'a> Corridor<'a> {
 
     /// Actor's centre ahead of the ego's with the acceleration held.
     fn ahead(&self, time: f64) -> f64 {
+        self.actor_at(time) - self.ego - self.held.distance(time)
+    }
+
+    /// [m] `s` of the actor's centre.
+    pub fn actor_at(&self, time: f64) -> f64 {
         let future = &self.view.future;
         let piece = &future.along[self.view.along_index(time)];
-        piece.s_at(time + future.now) - self.ego - self.held.distance(time)
+        piece.s_at(time + future.now)
     }
 }
 
@@ -394,9 +399,39 @@ impl Spans {
         })
     }
 
-    pub fn iter<'a>(&'a self, corridor: &'a Corridor<'_>) -> impl Iterator<Item = Span> + 'a {
-        let mut rest = self.rest;
-        let more = std::iter::from_fn(move || rest.as_mut()?.next(corridor));
-        self.first[..self.len].iter().copied().chain(more)
+    pub fn iter<'a>(&'a self, corridor: &'a Corridor<'a>) -> Iter<'a> {
+        Iter {
+            spans: self,
+            corridor,
+            place: 0,
+            rest: None,
+        }
+    }
+}
+
+/// One pass over all spans.
+pub(crate) struct Iter<'a> {
+    spans: &'a Spans,
+    corridor: &'a Corridor<'a>,
+    place: usize,
+    /// Behind those that are kept.
+    rest: Option<Walk>,
+}
+
+impl Iterator for Iter<'_> {
+    type Item = Span;
+
+    #[inline]
+    fn next(&mut self) -> Option<Span> {
+        let Self { spans, place, .. } = self;
+        if *place < spans.len {
+            *place += 1;
+            return Some(spans.first[*place - 1]);
+        }
+        if *place == spans.len {
+            *place += 1;
+            self.rest = spans.rest;
+        }
+        self.rest.as_mut()?.next(self.corridor)
     }
 }

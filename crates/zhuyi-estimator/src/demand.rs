@@ -11,7 +11,7 @@
 
 use crate::estimate::State;
 use crate::grid::fpr;
-use crate::{Estimate, Estimator};
+use crate::{Estimate, Estimator, Tolerance};
 use zhuyi_core::{ActorId, Body, Camera, Pose};
 
 /// A camera and the latency at which it runs now.
@@ -91,20 +91,21 @@ impl Estimator {
         rig: &[Watch<'_>],
         actors: impl IntoIterator<Item = (ActorId, &'a Body)>,
         counts: impl Fn(usize, ActorId, &Body) -> bool,
-        estimate: impl FnMut(ActorId, f64) -> Estimate,
+        mut estimate: impl FnMut(ActorId, f64) -> Estimate,
     ) -> Vec<Demand> {
         let mut demands = vec![self.quiet(); rig.len()];
-        self.demands_into(rig, actors, counts, estimate, &mut demands);
+        let mut tolerance = |actor, l_0| Tolerance::from(estimate(actor, l_0));
+        self.demands_into(rig, actors, counts, &mut tolerance, &mut demands);
         demands
     }
 
-    /// The same, into the front of `demands`, one per camera; cameras for which it has no room are left out.
+    /// The same by tolerances, into the front of `demands`, one per camera; cameras for which it has no room are left out.
     pub fn demands_into<'a>(
         &self,
         rig: &[Watch<'_>],
         actors: impl IntoIterator<Item = (ActorId, &'a Body)>,
         counts: impl Fn(usize, ActorId, &Body) -> bool,
-        mut estimate: impl FnMut(ActorId, f64) -> Estimate,
+        mut estimate: impl FnMut(ActorId, f64) -> Tolerance,
         demands: &mut [Demand],
     ) {
         demands.fill(self.quiet());
@@ -113,7 +114,7 @@ impl Estimator {
             for (place, (watch, demand)) in rig.iter().zip(&mut *demands).enumerate() {
                 if counts(place, actor, body) {
                     let answer = answers.of(watch.current_latency, |l_0| estimate(actor, l_0));
-                    self.add(demand, Some(actor), &answer);
+                    self.add(demand, Some(actor), answer);
                 }
             }
         }
@@ -134,17 +135,23 @@ impl Estimator {
     }
 
     /// What an actor asks, or a phantom: none.
-    pub(crate) fn add(&self, demand: &mut Demand, actor: Option<ActorId>, estimate: &Estimate) {
-        match estimate.state {
+    pub(crate) fn add(
+        &self,
+        demand: &mut Demand,
+        actor: Option<ActorId>,
+        answer: impl Into<Tolerance>,
+    ) {
+        let answer = answer.into();
+        match answer.state {
             State::None | State::Tolerable => {}
             State::BeyondGrid => demand.beyond_grid += 1,
             State::Unavoidable => demand.unavoidable += 1,
             State::Alongside => demand.alongside += 1,
         }
-        if matches!(estimate.state, State::None | State::Alongside) {
+        if matches!(answer.state, State::None | State::Alongside) {
             return;
         }
-        let latency = estimate.latency.unwrap_or_else(|| self.smallest());
+        let latency = answer.latency.unwrap_or_else(|| self.smallest());
         let first = demand.actor.is_none() && !demand.phantom;
         if first || latency < demand.latency {
             demand.latency = latency;
@@ -262,16 +269,16 @@ mod tests {
     fn hand_a_phantom_counts_where_it_asks_for_more() {
         let estimator = Estimator::new(Params::default());
         let mut demand = of_one_camera(&[answer(State::Tolerable, Some(0.5))]);
-        estimator.add(&mut demand, None, &answer(State::Tolerable, Some(0.8)));
+        estimator.add(&mut demand, None, answer(State::Tolerable, Some(0.8)));
         assert_eq!((demand.actor, demand.phantom), (Some(ActorId(0)), false));
-        estimator.add(&mut demand, None, &answer(State::Tolerable, Some(0.25)));
+        estimator.add(&mut demand, None, answer(State::Tolerable, Some(0.25)));
         assert_eq!(
             (demand.fpr, demand.actor, demand.phantom),
             (4.0, None, true)
         );
-        estimator.add(&mut demand, None, &answer(State::Tolerable, Some(0.5)));
+        estimator.add(&mut demand, None, answer(State::Tolerable, Some(0.5)));
         assert_eq!((demand.fpr, demand.phantom), (4.0, true));
-        estimator.add(&mut demand, None, &answer(State::Unavoidable, None));
+        estimator.add(&mut demand, None, answer(State::Unavoidable, None));
         assert_eq!((demand.fpr, demand.unavoidable), (30.0, 1));
     }
 

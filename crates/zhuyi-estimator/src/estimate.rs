@@ -112,6 +112,24 @@ pub struct Estimate {
     pub extrapolated: f64,
 }
 
+/// What of an estimate a camera is asked by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerance {
+    /// What kind of answer.
+    pub state: State,
+    /// [s] the tolerable latency, as [`Estimate::latency`].
+    pub latency: Option<f64>,
+}
+
+impl From<Estimate> for Tolerance {
+    fn from(estimate: Estimate) -> Self {
+        Self {
+            state: estimate.state,
+            latency: estimate.latency,
+        }
+    }
+}
+
 impl Estimate {
     /// [Hz] the frame processing rate asked for: 1/l, at most 30, and 30 where no latency of the grid will do. None
     /// for an actor alongside, which no rate helps.

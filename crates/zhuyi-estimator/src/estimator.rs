@@ -1,12 +1,12 @@
 //! The face of the crate: an [`Estimator`] answers for one trajectory, one forecast, or the cameras of a rig.
 
-use crate::conflict::{Corridor, Lines};
+use crate::conflict::Corridor;
 use crate::ego_motion::{latency_within, reaction_time};
 use crate::encounter::{Delay, Encounter};
 use crate::grid::Latencies;
 use crate::judge::Judge;
 use crate::recording::{Recording, View};
-use crate::{Ego, Estimate, Future, Params, Playback, State, Uncertainty};
+use crate::{Ego, Estimate, Future, Params, State, Uncertainty};
 use zhuyi_core::Footprint;
 
 /// The Zhuyi model with its parameters and its list of latencies. It holds no state: the same question has the same
@@ -18,12 +18,12 @@ pub struct Estimator {
 }
 
 /// An estimate, and what it took.
-struct Answer {
-    estimate: Estimate,
+pub(crate) struct Answer {
+    pub estimate: Estimate,
     /// How often a candidate was looked at on a piece.
     evaluations: u32,
     /// Its place among the candidates; nowhere if there was no conflict, or if no rate helped.
-    place: Option<usize>,
+    pub place: Option<usize>,
 }
 
 impl Estimator {
@@ -148,25 +148,9 @@ impl Estimator {
             .estimate
     }
 
-    /// The same of a recording that is asked step after step, sooner by what the steps before have told.
-    pub fn played(
-        &self,
-        ego: &Ego,
-        actor: Footprint,
-        playback: &mut Playback<'_>,
-        now: f64,
-        current_latency: f64,
-    ) -> Estimate {
-        let last = playback.last;
-        let view = playback.view(now, Lines::new(&self.params, ego, actor));
-        let answer = self.answer(ego, actor, &view, current_latency, last);
-        playback.last = answer.place;
-        answer.estimate
-    }
-
     /// The answer, looked for first at the candidate `guess`.
     #[inline]
-    fn answer(
+    pub(crate) fn answer(
         &self,
         ego: &Ego,
         actor: Footprint,
@@ -193,7 +177,7 @@ impl Estimator {
     }
 
     /// The same where there is a conflict.
-    fn conflict(
+    pub(crate) fn conflict(
         &self,
         encounter: &Encounter<'_>,
         current_latency: f64,
@@ -205,7 +189,7 @@ impl Estimator {
         };
         // Behind the latencies of the grid stands the last candidate: to react at once.
         let latencies = self.latencies();
-        let delay = |index: usize| self.delay(latencies.get(index).copied(), current_latency);
+        let delay = |index: usize| self.delay_of(index, current_latency);
         let guess = guess.unwrap_or_else(|| {
             let frames = self.params.confirm_frames;
             self.first_within(latency_within(encounter.guess(), current_latency, frames))
@@ -236,6 +220,11 @@ impl Estimator {
             evaluations: found.evaluations,
             place: (!alongside).then(|| found.index.min(latencies.len())),
         }
+    }
+
+    /// What a candidate costs: those of the grid, behind them to react at once.
+    pub(crate) fn delay_of(&self, index: usize, current_latency: f64) -> Delay {
+        self.delay(self.latencies().get(index).copied(), current_latency)
     }
 
     /// What a latency costs; none: to react at once.

@@ -71,13 +71,14 @@ mod estimator;
 mod exact;
 mod guess;
 mod judge;
+mod proof;
 mod quadratic;
 mod stretch;
 mod walk;
 
 pub use aggregation::ForecastEstimate;
 pub use demand::{Demand, Watch};
-pub use estimate::{Binding, Ego, Estimate, State};
+pub use estimate::{Binding, Ego, Estimate, State, Tolerance};
 pub use estimator::Estimator;
 pub use evasion::{Evasion, EvasionEstimate, Procedure, Sides};
 pub use future::{ActorStart, Future};

@@ -108,7 +108,7 @@ impl Estimator {
                 cameras += 1;
                 let answer: ForecastEstimate = answers.of(watch.current_latency, ask);
                 if let Some(demand) = demands.get_mut(place) {
-                    self.add(demand, Some(forecast.actor), &answer.estimate);
+                    self.add(demand, Some(forecast.actor), answer.estimate);
                 }
                 most = Some(match most {
                     Some(most) if !more_important(&answer, &most) => most,

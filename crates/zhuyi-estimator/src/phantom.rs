@@ -229,7 +229,7 @@ impl Estimator {
         for (watch, demand) in rig.iter().zip(demands) {
             if phantom.counts_for(watch.camera, body.pose, footprint) {
                 let ask = |l_0: f64| self.trajectory(&ego, footprint, &future, l_0);
-                self.add(demand, None, &answers.of(watch.current_latency, ask));
+                self.add(demand, None, answers.of(watch.current_latency, ask));
             }
         }
     }

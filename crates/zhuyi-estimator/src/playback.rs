@@ -2,26 +2,33 @@
 //!
 //! | remembered | used while |
 //! |---|---|
-//! | the last answer, to be looked at first | always: it need not be right |
-//! | the piece at t_0 | t_0 does not go back |
+//! | the place of the last answer, to be looked at first | always: it need not be right |
+//! | the pieces at t_0 | t_0 does not go back |
 //! | how the bodies are to each other sideways, piece by piece | the ego keeps its offset, from the second question on |
+//! | a proof that the answer stays ([`crate::proof`]) | the ego keeps within its limits |
 //!
-//! It only ever saves work: the answers are those of [`crate::Estimator::recorded`].
+//! It only ever saves work: the answers are those of [`Estimator::recorded`].
 
-use zhuyi_core::Across;
+use zhuyi_core::{Across, Footprint, Trajectory};
 
-use crate::Future;
-use crate::conflict::{Lines, Side};
+use crate::conflict::{Corridor, Lines, Side};
+use crate::ego_motion::Start;
+use crate::encounter::Encounter;
+use crate::estimate::{State, Tolerance};
+use crate::proof::Proof;
 use crate::recording::{Recording, View};
+use crate::{Ego, Estimate, Estimator, Future};
 
-/// A recording with what its last answer told.
+/// A recording of an actor with what its last answer told.
 #[derive(Clone, Debug)]
 pub struct Playback<'a> {
+    estimator: &'a Estimator,
     recording: &'a Recording,
+    actor: Footprint,
     /// The place of the last answer among the candidates.
-    pub(crate) last: Option<usize>,
-    /// [s] the last t_0, and the pieces that held then, along and across.
-    at: (f64, [usize; 2]),
+    last: Option<usize>,
+    proof: Option<Proof>,
+    now: Now,
     /// What the runs are for.
     lines: Option<Lines>,
     /// None before it has been asked twice for the same lines.
@@ -37,53 +44,177 @@ pub(crate) struct Run {
     pub side: Option<Side>,
 }
 
-impl<'a> Playback<'a> {
-    /// From its start; nothing is remembered as yet.
-    pub fn new(recording: &'a Recording) -> Self {
-        Self {
+impl Estimator {
+    /// A recording of an actor of this box, to be asked step after step.
+    ///
+    /// ```
+    /// # use zhuyi_core::{Across, Along, Footprint, Trajectory};
+    /// # use zhuyi_estimator::{Ego, Estimator, Params, Recording};
+    /// # let car = Footprint { length: 4.0, width: 2.0 };
+    /// let recording = Recording::new(Trajectory {
+    ///     along: vec![Along::constant_accel(0.0, 54.0, 8.0, -1.0), Along::constant_accel(8.0, 86.0, 0.0, 0.0)],
+    ///     across: vec![Across { time: 0.0, d: 0.0, d_rate: 0.0 }],
+    ///     known_until: 20.0,
+    /// });
+    /// let estimator = Estimator::new(Params::default());
+    /// let mut playback = estimator.playback(&recording, car);
+    /// for step in 0..100 {
+    ///     let now = 0.01 * f64::from(step);
+    ///     let ego = Ego { s: 10.0 * now, d: 0.0, speed: 10.0, accel: 0.0, footprint: car };
+    ///     let tolerance = playback.tolerance(&ego, now, 1.0 / 30.0);
+    ///     assert_eq!(tolerance, estimator.recorded(&ego, car, &recording, now, 1.0 / 30.0).into());
+    /// }
+    /// ```
+    pub fn playback<'a>(&'a self, recording: &'a Recording, actor: Footprint) -> Playback<'a> {
+        Playback {
+            estimator: self,
             recording,
+            actor,
             last: None,
-            at: (f64::NEG_INFINITY, [0; 2]),
+            proof: None,
+            now: Now {
+                time: f64::NEG_INFINITY,
+                first: [0; 2],
+            },
             lines: None,
             runs: Vec::new(),
         }
     }
+}
 
-    /// The recording as seen from `now` by an ego with these lines beside it.
+impl Playback<'_> {
+    /// As [`Estimator::recorded`].
+    pub fn estimate(&mut self, ego: &Ego, now: f64, current_latency: f64) -> Estimate {
+        let estimator = self.estimator;
+        let view = self.look(now, Lines::new(estimator.params(), ego, self.actor));
+        let (view, last) = (view.of(self.recording, &self.runs), self.last);
+        let answer = estimator.answer(ego, self.actor, &view, current_latency, last);
+        self.last = answer.place;
+        answer.estimate
+    }
+
+    /// The tolerance of [`Estimator::recorded`], mostly by what has been proven before.
     #[inline]
-    pub(crate) fn view(&mut self, now: f64, lines: Lines) -> View<'_> {
-        let trajectory = self.recording.trajectory();
-        let (before, [mut along, mut across]) = self.at;
-        if now < before {
-            (along, across) = (0, 0);
+    pub fn tolerance(&mut self, ego: &Ego, now: f64, current_latency: f64) -> Tolerance {
+        let params = self.estimator.params();
+        let lines = Lines::new(params, ego, self.actor);
+        let held = Start::new(ego.speed, ego.accel);
+        if let Some(proof) = &self.proof
+            && self.lines == Some(lines)
+            && proof.holds(params, ego.s, held, now, current_latency)
+        {
+            return self.tolerable(proof);
         }
-        while trajectory
-            .along
-            .get(along + 1)
+        let now = self.look(now, lines);
+        if self.is_surely_quiet(ego, now) {
+            return self.quiet();
+        }
+        self.looked_for(ego, now, current_latency)
+    }
+
+    /// The same where no proof holds, and a new one.
+    fn looked_for(&mut self, ego: &Ego, now: Now, current_latency: f64) -> Tolerance {
+        let (estimator, params) = (self.estimator, self.estimator.params());
+        let view = now.of(self.recording, &self.runs);
+        let corridor = Corridor::new(params, ego, self.actor, &view);
+        let Some(encounter) = Encounter::new(params, &corridor) else {
+            return self.quiet();
+        };
+        let prove = |index: usize| {
+            let delay = |index: usize| estimator.delay_of(index, current_latency);
+            let is_tolerable = index < estimator.latencies().len();
+            is_tolerable
+                .then(|| Proof::new(&encounter, params, index, delay, current_latency))
+                .flatten()
+        };
+        // Mostly it is what it was.
+        let last = self.last;
+        if let Some(proof) = last.and_then(prove) {
+            self.proof = Some(proof);
+            return self.tolerable(&proof);
+        }
+        let answer = estimator.conflict(&encounter, current_latency, last);
+        let other = answer.place.filter(|place| last != Some(*place));
+        self.proof = other.and_then(prove);
+        self.last = answer.place;
+        answer.estimate.into()
+    }
+
+    fn quiet(&self) -> Tolerance {
+        Tolerance {
+            state: State::None,
+            latency: Some(self.estimator.largest()),
+        }
+    }
+
+    fn tolerable(&self, proof: &Proof) -> Tolerance {
+        Tolerance {
+            state: State::Tolerable,
+            latency: self.estimator.latencies().get(proof.index).copied(),
+        }
+    }
+
+    /// Goes on to `now`, and looks how the bodies are to each other if it has been asked for these lines before.
+    fn look(&mut self, now: f64, lines: Lines) -> Now {
+        let Trajectory { along, across, .. } = self.recording.trajectory();
+        if now < self.now.time {
+            self.now.first = [0; 2];
+        }
+        let [first_along, first_across] = &mut self.now.first;
+        while along
+            .get(*first_along + 1)
             .is_some_and(|next| next.time <= now)
         {
-            along += 1;
+            *first_along += 1;
         }
-        while trajectory
-            .across
-            .get(across + 1)
+        while across
+            .get(*first_across + 1)
             .is_some_and(|next| next.time <= now)
         {
-            across += 1;
+            *first_across += 1;
         }
-        self.at = (now, [along, across]);
+        self.now.time = now;
         if self.lines != Some(lines) {
             self.lines = Some(lines);
             self.runs.clear();
         } else if self.runs.is_empty() {
-            derive(&trajectory.across, &lines, &mut self.runs);
+            derive(across, &lines, &mut self.runs);
         }
-        let future = Future::new(trajectory, now);
+        self.now
+    }
+
+    /// Whether it is plain that there is no conflict: the actor stays beside the corridor, or it is in it and behind the ego.
+    fn is_surely_quiet(&self, ego: &Ego, now: Now) -> bool {
+        let (Some(last), [along, across]) = (self.runs.last(), now.first) else {
+            return false;
+        };
+        let piece = &self.recording.trajectory().along[along];
+        let ahead = || piece.s_at(now.time) - ego.s;
+        let reach = || 0.5 * (ego.footprint.length + self.actor.length);
+        last.first <= across
+            && match last.side {
+                Some(Side::Apart) => true,
+                Some(_) => ahead() < -reach(),
+                None => false,
+            }
+    }
+}
+
+/// A t_0, and the pieces that hold then, along and across.
+#[derive(Clone, Copy, Debug)]
+struct Now {
+    time: f64,
+    first: [usize; 2],
+}
+
+impl Now {
+    /// A recording as seen from it.
+    fn of<'a>(self, recording: &'a Recording, runs: &'a [Run]) -> View<'a> {
         View {
-            future,
-            first: [along, across],
-            runs: &self.runs,
-            recording: Some(self.recording),
+            future: Future::new(recording.trajectory(), self.time),
+            first: self.first,
+            runs,
+            recording: Some(recording),
         }
     }
 }
@@ -102,5 +233,128 @@ fn derive(pieces: &[Across], lines: &Lines, runs: &mut Vec<Run>) {
         if side.is_none() || runs.last().is_none_or(|run| run.side != side) {
             runs.push(Run { first, side });
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Ego, Estimator, Grid, Params, Recording, State, Uncertainty};
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+    use zhuyi_core::{Across, Along, Footprint, Trajectory};
+
+    const CAR: Footprint = Footprint {
+        length: 4.0,
+        width: 2.0,
+    };
+
+    /// A lead, or one that changes lanes, that changes its acceleration now and then.
+    fn any_recording(rng: &mut ChaCha8Rng) -> Recording {
+        let gap = rng.random_range(1.0..80.0);
+        let speed = rng.random_range(0.0..30.0);
+        let mut along = vec![Along::constant_accel(0.0, gap + CAR.length, speed, 0.0)];
+        for _ in 0..rng.random_range(0..8) {
+            let last = along[along.len() - 1];
+            let time = last.time + rng.random_range(0.3..4.0);
+            let v = last.v_at(time).max(0.0);
+            let accel = rng.random_range(-6.0..3.0);
+            let accel = if v == 0.0 {
+                f64::max(accel, 0.0)
+            } else {
+                accel
+            };
+            along.push(Along::constant_accel(time, last.s_at(time), v, accel));
+        }
+        let lane = [0.0, 0.0, 3.5][rng.random_range(0..3)];
+        let mut across = vec![Across {
+            time: 0.0,
+            d: lane,
+            d_rate: 0.0,
+        }];
+        if rng.random_range(0..3) == 0 {
+            let (time, to) = (rng.random_range(0.1..6.0), 3.5 - lane);
+            across.push(Across {
+                time,
+                d: lane,
+                d_rate: (to - lane) / 3.0,
+            });
+            across.push(Across {
+                time: time + 3.0,
+                d: to,
+                d_rate: 0.0,
+            });
+        }
+        Recording::new(Trajectory {
+            along,
+            across,
+            known_until: 20.0,
+        })
+    }
+
+    fn any_params(rng: &mut ChaCha8Rng) -> Params {
+        Params {
+            c1: rng.random_range(0.5..1.0),
+            c2: rng.random_range(0.5..1.0),
+            c4: rng.random_range(0.8..1.3),
+            grid: [Grid::Ms33, Grid::Thirtieths, Grid::Fps][rng.random_range(0..3)],
+            uncertainty: (rng.random_range(0..8) == 0).then(Uncertainty::example),
+            ..Params::default()
+        }
+    }
+
+    #[test]
+    fn law_what_is_played_is_what_is_asked_at_each_step() {
+        let mut rng = ChaCha8Rng::seed_from_u64(2022);
+        let (mut by_proof, mut asked, mut tolerable) = (0, 0, 0);
+        for _ in 0..4_000 {
+            let estimator = Estimator::new(any_params(&mut rng));
+            let recording = any_recording(&mut rng);
+            let mut playback = estimator.playback(&recording, CAR);
+            let mut ego = Ego {
+                s: 0.0,
+                d: 0.0,
+                speed: rng.random_range(0.0..35.0),
+                accel: rng.random_range(-3.0..2.0),
+                footprint: CAR,
+            };
+            // How restless the ego is: mostly as in a drive, now and then by jumps.
+            let restless = [0.0, 0.02, 0.5, 5.0][rng.random_range(0..4)];
+            let (mut now, mut current_latency) = (0.0, 1.0 / 30.0);
+            for _ in 0..400 {
+                let plain = estimator.recorded(&ego, CAR, &recording, now, current_latency);
+                let before = playback.proof;
+                let played = playback.tolerance(&ego, now, current_latency);
+                assert_eq!(
+                    played,
+                    plain.into(),
+                    "{:?} {ego:?} at {now}",
+                    estimator.params()
+                );
+                asked += 1;
+                tolerable += u32::from(plain.state == State::Tolerable);
+                by_proof += u32::from(before.is_some() && before == playback.proof);
+                let step = if rng.random_range(0..50) == 0 {
+                    0.3
+                } else {
+                    0.01
+                };
+                now += step;
+                ego.s += step * (ego.speed + step * ego.accel / 2.0).max(0.0);
+                ego.speed = (ego.speed + step * ego.accel).max(0.0);
+                ego.accel = (ego.accel + restless * rng.random_range(-1.0..1.0)).clamp(-8.0, 3.0);
+                match rng.random_range(0..400) {
+                    0 => ego.d = rng.random_range(-1.0..1.0),
+                    1 => ego.s += rng.random_range(-1.0..1.0),
+                    2 => ego.speed += rng.random_range(0.0..1.0),
+                    3 => current_latency = rng.random_range(0.02..0.5),
+                    _ => {}
+                }
+            }
+        }
+        assert!(tolerable > 500_000, "{tolerable} of {asked}");
+        assert!(
+            by_proof > 150_000 && by_proof < tolerable,
+            "{by_proof} of {tolerable}"
+        );
     }
 }

@@ -126,6 +126,17 @@ impl<'a> View<'a> {
         Some((side, next.unwrap_or(self.future.across.len())))
     }
 
+    /// Whether the actor, once it is in the corridor, surely stays in it, and overlaps sideways with the ego in the end.
+    pub fn enters_for_good(&self) -> bool {
+        let behind = self.runs.partition_point(|run| run.first <= self.first[1]);
+        let runs = &self.runs[behind.saturating_sub(1)..];
+        let is_apart = |run: &Run| run.side == Some(Side::Apart);
+        let inside = runs.iter().skip_while(|run| is_apart(run));
+        runs.last()
+            .is_some_and(|last| last.side == Some(Side::Overlap))
+            && !inside.clone().any(is_apart)
+    }
+
     /// Whether a block across the road begins with this piece.
     #[inline]
     pub fn begins_across_block(&self, index: usize) -> bool {

@@ -125,7 +125,7 @@ pub fn carry_forward([position, speed, accel]: [f64; 3], time: f64) -> [f64; 3] 
     let speed = speed.max(0.0);
     let later = speed + accel * time;
     if later > 0.0 {
-        [position + f64::midpoint(speed, later) * time, later, accel]
+        [position + 0.5 * (speed + later) * time, later, accel]
     } else if accel < 0.0 {
         [position + speed * speed / (-2.0 * accel), 0.0, 0.0]
     } else {

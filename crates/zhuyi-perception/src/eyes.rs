@@ -29,11 +29,11 @@ use std::collections::{VecDeque, vec_deque};
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
-use zhuyi_core::{ActorId, CameraId, Detection, Frame, FrameRates, Scene, SimTime};
+use zhuyi_core::{ActorId, Body, CameraId, Detection, Frame, FrameRates, Scene, SimTime};
 
 use crate::sight::View;
 use crate::stream::{Fortune, Purpose};
-use crate::{Clock, Eye, Perception};
+use crate::{Clock, Eye, Perception, Truth};
 
 /// Frames in flight of each camera for which there is room from the start.
 const ROOM: usize = 8;
@@ -45,7 +45,8 @@ pub struct Eyes {
     shutters: Vec<Shutter>,
     /// In the order in which they become ready.
     in_flight: VecDeque<Frame>,
-    scene: Scene,
+    /// The actors where a camera last looked for them.
+    bodies: Vec<Body>,
     /// Lists of frames that were delivered, for the next ones.
     spare: Vec<Vec<Detection>>,
 }
@@ -109,7 +110,7 @@ impl Eyes {
             shutters: shutters.collect(),
             params: params.clone(),
             in_flight: VecDeque::with_capacity(ROOM * params.eyes.len()),
-            scene: start.clone(),
+            bodies: start.actors.clone(),
             spare: Vec::with_capacity(ROOM * params.eyes.len()),
         }
     }
@@ -127,11 +128,15 @@ impl Eyes {
     /// (reading R16). Comes before the first exposure, takes the first draw of each stream and is not counted.
     pub fn glance(&mut self, scene: &Scene) -> Vec<Frame> {
         let shutters = self.shutters.iter_mut().zip(&self.params.eyes);
+        let bodies = &mut self.bodies;
         let frame = |(index, (shutter, eye)): (u8, (&mut Shutter, &Eye))| Frame {
             camera: CameraId(index),
             exposed: scene.time,
             ready: scene.time,
-            detections: shutter.detections(eye, &self.params, 0.0, scene, Vec::new()),
+            detections: {
+                shutter.look(eye, &scene, bodies);
+                shutter.detections(&self.params, 0.0, bodies, Vec::new())
+            },
             ego: scene.ego.pose,
         };
         (0..).zip(shutters).map(frame).collect()
@@ -159,9 +164,8 @@ impl Eyes {
         self.shutters[camera.index()].clock.hz()
     }
 
-    /// Takes all exposures due up to and including `to`, in order of time. `evaluate` fills the scene, actors and all,
-    /// as it truly is at the instant it is given. That instant is never earlier than the one exposed up to before.
-    pub fn expose(&mut self, to: SimTime, mut evaluate: impl FnMut(SimTime, &mut Scene)) {
+    /// Takes all exposures due up to and including `to`, in order of time.
+    pub fn expose(&mut self, to: SimTime, truth: &mut impl Truth) {
         while let Some(index) = self.due(to) {
             let (shutter, eye) = (&mut self.shutters[index], &self.params.eyes[index]);
             let latency = eye
@@ -170,17 +174,18 @@ impl Eyes {
                 + shutter.late(self.params.latency_jitter);
             let exposed = shutter.clock.tick();
             shutter.exposed += 1;
-            evaluate(exposed, &mut self.scene);
-            let (scene, miss_rate) = (&self.scene, self.params.miss_rate);
+            truth.go_on(exposed);
+            let (bodies, miss_rate) = (&mut self.bodies, self.params.miss_rate);
             let list = self.spare.pop();
-            let list = list.unwrap_or_else(|| Vec::with_capacity(scene.actors.len()));
+            let list = list.unwrap_or_else(|| Vec::with_capacity(bodies.len()));
+            shutter.look(eye, truth, bodies);
             // A picture that is lost uses up its luck with the actors, as if it were not.
-            let detections = shutter.detections(eye, &self.params, miss_rate, scene, list);
+            let detections = shutter.detections(&self.params, miss_rate, bodies, list);
             if shutter.loses(self.params.drop_rate) {
                 self.spare.push(detections);
                 continue;
             }
-            let ego = scene.ego.pose;
+            let ego = truth.ego();
             self.bring_back(Frame {
                 camera: CameraId(index as u8),
                 exposed,
@@ -193,13 +198,14 @@ impl Eyes {
 
     /// The camera with the earliest exposure up to `to`, the first of the rig among equals.
     fn due(&self, to: SimTime) -> Option<usize> {
-        let next = self
-            .shutters
-            .iter()
-            .map(|shutter| shutter.clock.next())
-            .enumerate();
-        let (index, at) = next.min_by_key(|&(index, at)| (at, index))?;
-        (at <= to).then_some(index)
+        let (mut first, mut earliest) = (None, to);
+        for (index, shutter) in self.shutters.iter().enumerate() {
+            let next = shutter.clock.next();
+            if next < earliest || (next == earliest && first.is_none()) {
+                (first, earliest) = (Some(index), next);
+            }
+        }
+        first
     }
 
     /// Takes all frames in flight away, in the order of their exposures, for somebody who knows better when they are
@@ -286,19 +292,32 @@ impl Shutter {
         lost
     }
 
-    /// What the camera finds in a scene, into an old `list`.
+    /// Looks at the truth; `bodies` are brought up to date where they may be in view.
+    fn look(&mut self, eye: &Eye, truth: &impl Truth, bodies: &mut [Body]) {
+        let view = &mut self.view;
+        view.aim(&eye.camera, truth.ego());
+        let field = view.field();
+        view.find(bodies.iter_mut().enumerate().map(|(actor, body)| {
+            let (footprint, point, slack) = truth.roughly(actor);
+            if field.misses_box(footprint, point, slack) {
+                return None;
+            }
+            *body = truth.body(actor);
+            Some((body.footprint, body.pose))
+        }));
+    }
+
+    /// What the camera finds in its view of these bodies, into an old `list`.
     fn detections(
         &mut self,
-        eye: &Eye,
         params: &Perception,
         miss_rate: f64,
-        scene: &Scene,
+        bodies: &[Body],
         list: Vec<Detection>,
     ) -> Vec<Detection> {
-        self.view.look(&eye.camera, scene);
         let mut detections = list;
         detections.clear();
-        for (index, (body, fortune)) in scene.actors.iter().zip(&mut self.fortunes).enumerate() {
+        for (index, (body, fortune)) in bodies.iter().zip(&mut self.fortunes).enumerate() {
             if !self.view.sees(index, params.visible_share) {
                 fortune.pass();
                 continue;

@@ -28,6 +28,7 @@ pub mod sight;
 mod silhouette;
 pub mod stream;
 pub mod tracker;
+pub mod truth;
 
 pub use clock::Clock;
 pub use eyes::Eyes;
@@ -35,3 +36,4 @@ pub use params::{Eye, Perception};
 pub use sight::{View, visible_share};
 pub use stream::Purpose;
 pub use tracker::Tracker;
+pub use truth::Truth;

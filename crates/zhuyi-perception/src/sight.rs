@@ -41,7 +41,7 @@ pub struct View {
     half_fov: (f64, f64),
     range: f64,
     field: Field,
-    boxes: Vec<(Footprint, Pose)>,
+    boxes: Vec<Option<(Footprint, Pose)>>,
     silhouettes: Vec<Silhouette>,
     /// Of the boxes that have been asked for.
     outlines: Vec<Option<Outline>>,
@@ -75,7 +75,7 @@ impl View {
         boxes: impl IntoIterator<Item = (Footprint, Pose)>,
     ) {
         self.aim(camera, ego);
-        self.find(boxes);
+        self.find(boxes.into_iter().map(Some));
     }
 
     /// Aims `camera` of an ego at `ego`, at no boxes yet.
@@ -104,28 +104,42 @@ impl View {
         pose: Pose,
         least_share: f64,
     ) -> bool {
+        if self.field.misses_box(footprint, pose.point(), 0.0) {
+            return false;
+        }
         let alone = [self.field.silhouette(footprint, pose)];
         silhouette::sees(&alone, 0, self.range, least_share).unwrap_or_else(|| {
-            self.find([(footprint, pose)]);
+            self.find([Some((footprint, pose))]);
             self.sees_by_angles(0, least_share)
         })
     }
 
-    /// Puts these boxes, in their places, where it has been aimed.
-    pub(crate) fn find(&mut self, boxes: impl IntoIterator<Item = (Footprint, Pose)>) {
+    /// The field of view where it has been aimed.
+    pub(crate) fn field(&self) -> Field {
+        self.field
+    }
+
+    /// Puts these boxes, in their places, where it has been aimed; none stands for one that is out of view.
+    pub(crate) fn find(&mut self, boxes: impl IntoIterator<Item = Option<(Footprint, Pose)>>) {
         self.boxes.clear();
-        self.boxes.extend(boxes);
-        let field = self.field;
-        let silhouette = |&(footprint, pose): &_| field.silhouette(footprint, pose);
         self.silhouettes.clear();
-        self.silhouettes.extend(self.boxes.iter().map(silhouette));
         self.outlines.clear();
-        self.outlines.resize(self.boxes.len(), None);
+        for placed in boxes {
+            let silhouette = |(footprint, pose)| self.field.silhouette(footprint, pose);
+            self.silhouettes
+                .push(placed.map_or(Silhouette::OutOfView, silhouette));
+            self.boxes.push(placed);
+            self.outlines.push(None);
+        }
     }
 
     /// Whether the box at this place is in range and at least `least_share` of it is visible; with a least share of 0,
     /// whether it is in range and view, hidden or not.
+    #[inline]
     pub fn sees(&mut self, which: usize, least_share: f64) -> bool {
+        if matches!(self.silhouettes[which], Silhouette::OutOfView) {
+            return false;
+        }
         silhouette::sees(&self.silhouettes, which, self.range, least_share)
             .unwrap_or_else(|| self.sees_by_angles(which, least_share))
     }
@@ -143,8 +157,12 @@ impl View {
     }
 
     fn outline(&mut self, which: usize) -> Outline {
-        let (footprint, pose) = self.boxes[which];
-        *self.outlines[which].get_or_insert_with(|| Outline::new(self.eye, footprint, pose))
+        *self.outlines[which].get_or_insert_with(|| {
+            let Some((footprint, pose)) = self.boxes[which] else {
+                unreachable!("nobody asks for the outline of a box out of view")
+            };
+            Outline::new(self.eye, footprint, pose)
+        })
     }
 
     /// [-] the visible share of the box at this place, in range or not.

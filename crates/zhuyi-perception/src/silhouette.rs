@@ -49,7 +49,15 @@ impl Field {
             .all(|&border| cross(self.right, border) > MARGIN && cross(border, self.left) > MARGIN)
     }
 
+    /// Whether all of a box whose centre is at most `slack` [m] from a point surely lies outside.
+    #[inline]
+    pub fn misses_box(&self, footprint: Footprint, point: Point, slack: f64) -> bool {
+        let reach = footprint.length / 2.0 + footprint.width / 2.0 + slack;
+        self.narrow && self.misses((point.x - self.eye.x, point.y - self.eye.y), reach)
+    }
+
     /// Whether all of what lies within `reach` of a point lies on the far side of one border.
+    #[inline]
     fn misses(&self, centre: Vector, reach: f64) -> bool {
         let clear = reach + MARGIN;
         cross(self.right, centre) < -clear || cross(centre, self.left) < -clear

@@ -17,6 +17,7 @@
 //! instants, not on steps; the planner sees confirmed tracks and nothing else.
 
 pub mod draws;
+mod instant;
 pub mod offline;
 pub mod online;
 pub mod outcome;

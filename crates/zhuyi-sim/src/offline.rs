@@ -11,7 +11,7 @@ use zhuyi_core::{
 };
 use zhuyi_estimator::phantom::visible_share;
 use zhuyi_estimator::{
-    Demand, Ego, Estimate, Estimator, Future, Phantom, PhantomParams, Playback, Recording, Watch,
+    Demand, Ego, Estimate, Estimator, Future, Phantom, PhantomParams, Recording, Tolerance, Watch,
 };
 use zhuyi_perception::Eye;
 use zhuyi_scenario::System;
@@ -79,18 +79,6 @@ impl<'a> Hindsight<'a> {
         actor: ActorId,
         current_latency: f64,
     ) -> Estimate {
-        self.estimate_next(estimator, row, actor, current_latency, None)
-    }
-
-    /// The same at the next row that is asked about.
-    fn estimate_next(
-        &self,
-        estimator: &Estimator,
-        row: &Row<'_>,
-        actor: ActorId,
-        current_latency: f64,
-        playback: Option<&mut Playback<'_>>,
-    ) -> Estimate {
         let ego = Ego::from(row.ego);
         let (body, future) = (&row.actors[actor.index()], &self.futures[actor.index()]);
         let (footprint, now) = (body.footprint, row.time.seconds());
@@ -110,10 +98,12 @@ impl<'a> Hindsight<'a> {
                 .recorded_evading(&ego, footprint, (future, now), sides, current_latency)
                 .estimate;
         }
-        match playback {
-            Some(playback) => estimator.played(&ego, footprint, playback, now, current_latency),
-            None => estimator.recorded(&ego, footprint, future, now, current_latency),
-        }
+        estimator.recorded(&ego, footprint, future, now, current_latency)
+    }
+
+    /// Whether the ego may evade as far as this estimator knows.
+    fn evades(&self, estimator: &Estimator) -> bool {
+        self.evades_on.is_some() && estimator.params().evasion.is_some()
     }
 
     /// What [`Hindsight::estimate`] asks about, for models other than the estimator's own: the ego, the actor's box and its
@@ -139,11 +129,12 @@ impl<'a> Hindsight<'a> {
         &self,
         estimator: &Estimator,
         row: &Row<'_>,
-        estimate: impl FnMut(ActorId, f64) -> Estimate,
+        mut estimate: impl FnMut(ActorId, f64) -> Estimate,
     ) -> Vec<Demand> {
         let mut demands = vec![estimator.quiet(); self.rig.len()];
-        let mut covered = Covered::by(&self.rig);
-        self.demands_into(estimator, row, estimate, &mut covered, &mut demands);
+        let mut covered = Covered::by(&self.rig, self.futures.len());
+        let tolerance = |actor: ActorId, l_0: f64| estimate(actor, l_0).into();
+        self.demands_into(estimator, row, tolerance, &mut covered, &mut demands);
         demands
     }
 
@@ -151,17 +142,16 @@ impl<'a> Hindsight<'a> {
         &self,
         estimator: &Estimator,
         row: &Row<'_>,
-        estimate: impl FnMut(ActorId, f64) -> Estimate,
+        tolerance: impl FnMut(ActorId, f64) -> Tolerance,
         covered: &mut Covered,
         demands: &mut [Demand],
     ) {
-        covered.look(row);
+        covered.look(&self.rig, row);
         let actors = (0..).map(ActorId).zip(row.actors);
         let counts = |place: usize, actor: ActorId, body: &Body| {
-            let camera = self.rig[place].camera;
-            covered.holds(place, camera, actor, body) && self.shows(camera, row, body)
+            covered.holds(place, actor) && self.shows(self.rig[place].camera, row, body)
         };
-        estimator.demands_into(&self.rig, actors, counts, estimate, demands);
+        estimator.demands_into(&self.rig, actors, counts, tolerance, demands);
         if let Some((road, params)) = &self.phantoms {
             let around = surroundings(road, row.ego, row.actors);
             estimator.add_phantoms(&around, &self.rig, params, demands);
@@ -189,14 +179,23 @@ impl<'a> Hindsight<'a> {
     pub fn peaks(&self, estimator: &Estimator) -> Peaks {
         let mut peaks = self.no_peaks();
         let mut demands = vec![estimator.quiet(); self.rig.len()];
-        let mut covered = Covered::by(&self.rig);
-        let mut playbacks: Vec<_> = self.futures.iter().map(Playback::new).collect();
+        let mut covered = Covered::by(&self.rig, self.futures.len());
+        let evades = self.evades(estimator);
+        let boxes = self.trace.row(0).actors.iter().map(|body| body.footprint);
+        let mut playbacks = Vec::with_capacity(self.futures.len());
+        for (recording, actor) in self.futures.iter().zip(boxes) {
+            playbacks.push(estimator.playback(recording, actor));
+        }
         for row in self.trace.rows() {
-            let estimate = |actor: ActorId, l_0: f64| {
-                let playback = &mut playbacks[actor.index()];
-                self.estimate_next(estimator, &row, actor, l_0, Some(playback))
+            let (ego, now) = (Ego::from(row.ego), row.time.seconds());
+            let tolerance = |actor: ActorId, l_0: f64| {
+                if evades {
+                    self.estimate(estimator, &row, actor, l_0).into()
+                } else {
+                    playbacks[actor.index()].tolerance(&ego, now, l_0)
+                }
             };
-            self.demands_into(estimator, &row, estimate, &mut covered, &mut demands);
+            self.demands_into(estimator, &row, tolerance, &mut covered, &mut demands);
             self.add(&mut peaks, row.time, &demands);
         }
         peaks
@@ -242,44 +241,66 @@ impl<'a> Hindsight<'a> {
     }
 }
 
-/// What the cameras cover at one row; kept from row to row, it allocates nothing.
+/// What the cameras cover at one row after the other. While an actor has gone less far in the frame of the ego than would
+/// surely change that, nothing is looked at anew.
 struct Covered {
     /// As the cameras are mounted, in the frame of the ego.
     sectors: Vec<Sector>,
-    ego: Pose,
-    /// The centre of every actor there, and [m] how far its corners are from it at most.
-    actors: Vec<(Point, f64)>,
+    actors: Vec<Seen>,
+    /// Whether a camera covers an actor, actor by actor.
+    held: Vec<bool>,
+}
+
+/// An actor in the frame of the ego.
+#[derive(Clone, Copy)]
+struct Seen {
+    centre: Point,
+    /// [m] how far it may go there.
+    margin: f64,
 }
 
 impl Covered {
-    fn by(rig: &[Watch<'_>]) -> Self {
+    fn by(rig: &[Watch<'_>], actors: usize) -> Self {
         let ego = Axes::new(Pose::default());
         let sector = |watch: &Watch<'_>| Sector::new(watch.camera, watch.camera.pose_on(&ego));
+        let unseen = Seen {
+            centre: Point::default(),
+            margin: f64::NEG_INFINITY,
+        };
         Self {
             sectors: rig.iter().map(sector).collect(),
-            ego: ego.pose,
-            actors: Vec::new(),
+            actors: vec![unseen; actors],
+            held: vec![false; rig.len() * actors],
         }
     }
 
-    fn look(&mut self, row: &Row<'_>) {
+    fn look(&mut self, rig: &[Watch<'_>], row: &Row<'_>) {
         let ego = Axes::new(row.ego.pose);
-        let place = |body: &Body| {
+        for (place, (body, seen)) in row.actors.iter().zip(&mut self.actors).enumerate() {
             let (x, y) = ego.local(body.pose.point());
+            seen.margin -= (x - seen.centre.x).abs() + (y - seen.centre.y).abs();
+            seen.centre = Point::new(x, y);
+            if seen.margin > 0.0 {
+                continue;
+            }
             let Footprint { length, width } = body.footprint;
-            (Point::new(x, y), f64::midpoint(length, width))
-        };
-        self.ego = ego.pose;
-        self.actors.clear();
-        self.actors.extend(row.actors.iter().map(place));
+            let held = &mut self.held[place * rig.len()..][..rig.len()];
+            seen.margin = f64::INFINITY;
+            for ((sector, watch), held) in self.sectors.iter().zip(rig).zip(held) {
+                let plain = sector.holds_plainly(seen.centre, 0.5 * (length + width));
+                let (is_held, margin) = plain.unwrap_or_else(|| {
+                    let looked = watch.camera.covers_body(ego.pose, body);
+                    (looked, f64::NEG_INFINITY)
+                });
+                *held = is_held;
+                seen.margin = seen.margin.min(margin);
+            }
+        }
     }
 
     /// As [`Camera::covers_body`] of the camera at this place.
-    fn holds(&self, place: usize, camera: &Camera, actor: ActorId, body: &Body) -> bool {
-        let (centre, reach) = self.actors[actor.index()];
-        self.sectors[place]
-            .holds_plainly(centre, reach)
-            .unwrap_or_else(|| camera.covers_body(self.ego, body))
+    fn holds(&self, place: usize, actor: ActorId) -> bool {
+        self.held[actor.index() * self.sectors.len() + place]
     }
 }
 

@@ -14,6 +14,7 @@ use zhuyi_world::script::{Actor, Behaviour};
 use zhuyi_world::{Contact, Ego, Start, World};
 
 use crate::draws::Draws;
+use crate::instant::Instant;
 use crate::outcome::{Collision, Frames, Outcome, Run};
 use crate::pipeline::Pipeline;
 use crate::trace::Trace;
@@ -128,8 +129,7 @@ impl<'a> Simulation<'a> {
         }
         let contact = self.world.step(command, STEP);
         let now = self.world.scene().time;
-        self.eyes
-            .expose(now, |instant, scene| self.world.scene_at(instant, scene));
+        self.eyes.expose(now, &mut Instant::of(&self.world));
         if let Some(witness) = &mut self.witness {
             witness.exposed(self.eyes.in_flight());
         }

@@ -80,7 +80,7 @@ impl Mover {
             self.begin(next.then, road);
         }
         let wanted = match self.drive {
-            Drive::Behave(behaviour) => behaviour_accel(behaviour, id, me, self.speed, scene),
+            Drive::Behave(behaviour) => behaviour_accel(behaviour, me, self.speed, scene),
             Drive::Reach { speed, accel } => ((speed - self.speed) / dt).clamp(-accel, accel),
             Drive::Brake { decel } => -decel,
         };
@@ -193,11 +193,11 @@ fn due(manoeuvre: &Manoeuvre, me: &Body, scene: &Scene, time: f64) -> bool {
 }
 
 /// [m/s2] the acceleration that a behaviour asks for; `v` is the actor's speed along its lane.
-fn behaviour_accel(behaviour: Behaviour, id: ActorId, me: &Body, v: f64, scene: &Scene) -> f64 {
+fn behaviour_accel(behaviour: Behaviour, me: &Body, v: f64, scene: &Scene) -> f64 {
     match behaviour {
         Behaviour::Obstacle | Behaviour::Cruise => 0.0,
         Behaviour::Follow { driver, max_decel } => driver
-            .improved_accel(v, leader(id, me, scene))
+            .improved_accel(v, leader(me, scene))
             .clamp(-max_decel, driver.max_accel),
         Behaviour::HoldBeside(Station {
             offset,
@@ -212,23 +212,21 @@ fn behaviour_accel(behaviour: Behaviour, id: ActorId, me: &Body, v: f64, scene: 
 }
 
 /// The nearest body ahead whose side-to-side extent overlaps the actor's.
-fn leader(id: ActorId, me: &Body, scene: &Scene) -> Option<Leader> {
-    let others = scene
-        .actors
-        .iter()
-        .enumerate()
-        .filter(|(i, _)| *i != id.index())
-        .map(|(_, body)| body);
-    others
-        .chain(std::iter::once(&scene.ego))
-        .filter(|other| other.road.s > me.road.s)
-        .filter(|other| {
-            (other.road.d - me.road.d).abs()
-                < f64::midpoint(other.footprint.width, me.footprint.width)
-        })
-        .min_by(|a, b| a.rear().total_cmp(&b.rear()))
-        .map(|other| Leader {
-            gap: (other.rear() - me.front()).max(0.1),
-            speed: other.s_rate,
-        })
+fn leader(me: &Body, scene: &Scene) -> Option<Leader> {
+    // The actor is not ahead of itself.
+    let mut nearest: Option<&Body> = None;
+    for other in scene.actors.iter().chain(std::iter::once(&scene.ego)) {
+        let overlaps =
+            (other.road.d - me.road.d).abs() < 0.5 * (other.footprint.width + me.footprint.width);
+        if other.road.s > me.road.s
+            && overlaps
+            && nearest.is_none_or(|nearest| other.rear() < nearest.rear())
+        {
+            nearest = Some(other);
+        }
+    }
+    nearest.map(|other| Leader {
+        gap: (other.rear() - me.front()).max(0.1),
+        speed: other.s_rate,
+    })
 }

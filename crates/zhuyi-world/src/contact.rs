@@ -108,12 +108,16 @@ impl Side {
 /// assert!((contact.fraction - 0.25).abs() < 1e-6);
 /// assert_eq!(contact.side, Side::Front);
 /// ```
+#[inline]
 pub fn first_contact(
     ego: &Motion,
     others: impl Iterator<Item = (ActorId, Motion)>,
 ) -> Option<Contact> {
     let mut first: Option<Contact> = None;
     for (actor, other) in others {
+        if are_far_apart(ego, &other) {
+            continue;
+        }
         let Some(fraction) = touch(ego, &other) else {
             continue;
         };
@@ -134,16 +138,20 @@ pub fn first_contact(
     first
 }
 
-/// The fraction of the step at which two bodies first touch.
-fn touch(ego: &Motion, other: &Motion) -> Option<f64> {
+/// Whether two bodies are surely apart, side by side or one behind the other in the world, during the whole step.
+#[inline]
+fn are_far_apart(ego: &Motion, other: &Motion) -> bool {
     // No box reaches farther than half its length and half its width together.
     let (a, b) = (ego.footprint, other.footprint);
-    let reach = f64::midpoint(a.length + a.width, b.length + b.width);
+    let reach = 0.5 * (a.length + a.width + b.length + b.width);
+    parted(other.from.x - ego.from.x, other.to.x - ego.to.x, reach)
+        || parted(other.from.y - ego.from.y, other.to.y - ego.to.y, reach)
+}
+
+/// The fraction of the step at which two bodies first touch.
+fn touch(ego: &Motion, other: &Motion) -> Option<f64> {
     let before = (other.from.x - ego.from.x, other.from.y - ego.from.y);
     let after = (other.to.x - ego.to.x, other.to.y - ego.to.y);
-    if parted(before.0, after.0, reach) || parted(before.1, after.1, reach) {
-        return None;
-    }
     let encounter = Encounter::new(ego, other, before, after);
     if encounter.stays_apart() {
         None

@@ -245,6 +245,12 @@ impl Ego {
         }
     }
 
+    /// Where its box is in the world.
+    pub fn pose(&self, road: &Road) -> Pose {
+        let at = road.world_from_road(self.road);
+        Pose::new(at.x, at.y, at.heading + self.heading)
+    }
+
     /// The body as others see it.
     pub fn body(&self, vehicle: &Vehicle, turn: Turn, road: &Road) -> Body {
         let (at, curvature) = road.pose_and_curvature(self.road);

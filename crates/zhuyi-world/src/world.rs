@@ -1,6 +1,6 @@
 //! The ego and the actors on the road, moved in fixed steps.
 
-use zhuyi_core::{ActorId, Body, Command, Pose, Road, Scene, SimTime};
+use zhuyi_core::{ActorId, Body, Command, Footprint, Point, Pose, Road, Scene, SimTime};
 
 use crate::actor::Mover;
 use crate::contact::{Contact, Motion, first_contact};
@@ -153,6 +153,26 @@ impl<'a> World<'a> {
                 .zip(&self.movers)
                 .map(|(a, m)| m.body(a.footprint, self.road, dt)),
         );
+    }
+
+    /// The ego at an instant of the last step.
+    pub fn ego_pose_at(&self, time: SimTime) -> Pose {
+        self.ego_at(time).pose(self.road)
+    }
+
+    /// An actor at an instant of the last step.
+    pub fn actor_at(&self, actor: usize, time: SimTime) -> Body {
+        let dt = (time - self.before).seconds();
+        self.movers[actor].body(self.actors[actor].footprint, self.road, dt)
+    }
+
+    /// The box of an actor, and about where it is during the last step: a point, and how far from it [m] its centre is at most.
+    #[inline]
+    pub fn roughly(&self, actor: usize) -> (Footprint, Point, f64) {
+        let (from, to) = (&self.previous.actors[actor], &self.scene.actors[actor]);
+        // Nobody turns back within a step, and no way of it is twice as long as the sides of its box together.
+        let sides = (to.pose.x - from.pose.x).abs() + (to.pose.y - from.pose.y).abs();
+        (to.footprint, to.pose.point(), 2.0 * sides)
     }
 
     /// The truth at an instant of the last step, written into `scene`.

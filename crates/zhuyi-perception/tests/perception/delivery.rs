@@ -1,8 +1,8 @@
 //! From exposure to delivery.
 
-use crate::rig::{CAR_0, FRONT, World, body, draws, eye, millis, perception, scene};
+use crate::rig::{CAR_0, FRONT, Scenes, World, body, draws, eye, millis, perception, scene};
 use std::iter;
-use zhuyi_core::{CameraId, Detection, Frame, FrameRates, SimTime};
+use zhuyi_core::{CameraId, Detection, Frame, FrameRates, Scene, SimTime};
 use zhuyi_perception::{Eye, Eyes, Perception};
 
 /// All frames of a rig that looks at a standing car for a while, in the order of delivery.
@@ -122,7 +122,7 @@ fn law_frames_come_in_order_of_ready_then_camera() {
         draws(1),
         &start,
     );
-    eyes.expose(millis(4000), |_, _| ());
+    eyes.expose(millis(4000), &mut &start);
     let frames: Vec<_> = iter::from_fn(|| eyes.deliver(millis(3000))).collect();
     assert!(frames.is_sorted_by_key(|frame| (frame.ready, frame.camera)));
     // all that are ready, and no other: exposed up to 2.7, 2.9 and 2.75 s
@@ -144,9 +144,13 @@ fn hand_a_frame_overtaken_after_a_change_of_rate_is_dropped() {
     let mut now = SimTime::ZERO;
     while now < millis(3000) {
         now += millis(10);
-        eyes.expose(now, |at, _| {
-            first.get_or_insert(at);
-        });
+        let mut truth = Scenes {
+            scene: start.clone(),
+            evaluate: |at, _: &mut Scene| {
+                first.get_or_insert(at);
+            },
+        };
+        eyes.expose(now, &mut truth);
         if first.is_some_and(|first| now >= first + millis(200)) {
             eyes.set_rate(FRONT, 10.0, now);
         }

@@ -168,7 +168,7 @@ fn hand_where_others_know_the_latency_only_jitter_is_left_of_it() {
     let rates = FrameRates::new(vec![10.0, 10.0]);
     let ready = |params: &Perception| -> Vec<i64> {
         let mut eyes = Eyes::new(params, &rates, draws(1), &start).without_latency();
-        eyes.expose(millis(1000), |_, _| ());
+        eyes.expose(millis(1000), &mut &start);
         let late = |frame: Frame| (frame.ready - frame.exposed).nanos();
         eyes.take_exposed().map(late).collect()
     };

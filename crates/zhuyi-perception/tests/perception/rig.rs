@@ -3,9 +3,10 @@
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use zhuyi_core::{
-    ActorId, Body, Camera, CameraId, Footprint, FrameRates, Frenet, Pose, Road, Scene, SimTime,
+    ActorId, Body, Camera, CameraId, Footprint, FrameRates, Frenet, Point, Pose, Road, Scene,
+    SimTime,
 };
-use zhuyi_perception::{Eye, Eyes, Perception, Purpose, Tracker};
+use zhuyi_perception::{Eye, Eyes, Perception, Purpose, Tracker, Truth};
 
 pub const CAR: Footprint = Footprint {
     length: 4.0,
@@ -132,19 +133,47 @@ impl World {
         while self.now < to {
             self.now += millis(10);
             let start = &self.start;
-            self.eyes.expose(self.now, |at, scene| {
-                scene.clone_from(start);
-                scene.time = at;
-                for actor in &mut scene.actors {
-                    actor.road.s += actor.s_rate * at.seconds();
-                    actor.pose.x = actor.road.s;
-                }
-                changed(scene);
-            });
+            let mut truth = Scenes {
+                scene: start.clone(),
+                evaluate: |at: SimTime, scene: &mut Scene| {
+                    scene.clone_from(start);
+                    scene.time = at;
+                    for actor in &mut scene.actors {
+                        actor.road.s += actor.s_rate * at.seconds();
+                        actor.pose.x = actor.road.s;
+                    }
+                    changed(scene);
+                },
+            };
+            self.eyes.expose(self.now, &mut truth);
             while let Some(frame) = self.eyes.deliver(self.now) {
                 self.tracker.update(&frame, &self.road);
                 processed(&frame, &mut self.tracker);
             }
         }
+    }
+}
+
+/// A scene that is made anew for each instant.
+pub struct Scenes<F> {
+    pub scene: Scene,
+    pub evaluate: F,
+}
+
+impl<F: FnMut(SimTime, &mut Scene)> Truth for Scenes<F> {
+    fn go_on(&mut self, to: SimTime) {
+        (self.evaluate)(to, &mut self.scene);
+    }
+
+    fn ego(&self) -> Pose {
+        (&self.scene).ego()
+    }
+
+    fn roughly(&self, actor: usize) -> (Footprint, Point, f64) {
+        (&self.scene).roughly(actor)
+    }
+
+    fn body(&self, actor: usize) -> Body {
+        (&self.scene).body(actor)
     }
 }

@@ -1,0 +1,268 @@
+//! What one step proves of the steps behind it: that the answer stays, without looking for it again.
+//!
+//! Two candidates decide an answer, the first that is tolerable and the one before it, which is refused. At the step of the proof
+//! both are tried under a handicap each: the first reacts `later` and counts as `h` further on, the one before reacts `sooner` and
+//! counts as `h` further back. If they still are what they were, then so are the real ones at a later step whose motion keeps
+//! within the two (index 0: the step of the proof; u: how much faster the ego is than it was to be, w: how much further on):
+//!
+//! ```text
+//!  u_0 = v - (v_0 + a_0 Δ)       u_r = u_0 + (a - a_0) r       w = s - (s_0 + v_0 Δ + a_0 Δ²/2)
+//!
+//!  still tolerable:   Δ <= later      u_r <= (a_0 + b) (later - Δ)      w + (r + later) max(0, u_0, u_r) <= h
+//!  still refused:     Δ <= t_c, r - sooner      u_q >= -(a + b) (sooner + Δ)      h + w - (r + Δ) max(0, -u_0, -u_q) >= (1 - C1) (s - s_0)
+//!                     with u_q = u_0 + (a - a_0) (r - sooner - Δ)
+//! ```
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | Δ | time since the proof | s |
+//! | s, v, a, b | the ego's place, speed, acceleration and braking | m, m/s, m/s2, m/s2 |
+//! | r | reaction time of the candidate, the same at every step | s |
+//! | t_c | when the refused one, handicapped, comes into contact | s |
+//!
+//! Derivation. While both hold their accelerations the difference of two motions in speed is linear in time, so its largest value
+//! lies at an end; between their reactions it changes by the acceleration of the one plus the braking of the other; from then on
+//! both brake alike, and it cannot change its sign any more. The first line then keeps the real motion behind the handicapped one up
+//! to that one's t_n, and at t_n no faster: what held there holds. The second keeps it ahead, and from the reaction on no slower: it
+//! comes into contact no later, and where it met the constraints before, the handicapped one would have; Eq. 1 counts from the
+//! ego's place at t_0, which moves on, hence the last term.
+//!
+//! A proof is for an ego that brakes by the same b, does not come to stand before it reacts and keeps its offset, and for an actor
+//! that overlaps sideways with it from now on for ever, a lead, or that enters the corridor later and for good, a cut-in: then it
+//! holds up to that time, and as long as the stay counts (reading R8). Everything else is asked step by step.
+
+use crate::conflict::{Side, Zone};
+use crate::constraints::TOLERANCE;
+use crate::ego_motion::{Start, braking_decel};
+use crate::encounter::{Delay, Encounter};
+use crate::{Criterion, Params, Solver, exact};
+
+/// The handicaps that are tried, the longest-lived first: a share [-] of the time between the reactions of the two candidates, by
+/// which the first reacts later, and h [m].
+const LATER: [(f64, f64); 3] = [(0.5, 0.25), (0.15, 0.1), (0.04, 0.03)];
+
+/// The same for the one before, which reacts sooner.
+const SOONER: [(f64, f64); 2] = [(0.1, 0.25), (0.02, 0.03)];
+
+/// [m, m/s] what rounding may take of any margin, and more.
+const GUARD: f64 = 1e-6;
+
+/// That an answer stays while the ego's motion keeps within limits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Proof {
+    /// The place of the answer among the candidates.
+    pub index: usize,
+    /// [s] l_0.
+    current_latency: f64,
+    /// [s] t_0 of the proof.
+    now: f64,
+    /// [m] the ego's place then.
+    s: f64,
+    held: Start,
+    decel: f64,
+    /// None where the actor overlaps with the ego already.
+    entry: Option<Entry>,
+    tolerable: Tolerable,
+    /// None where there is no candidate before.
+    refused: Option<Refused>,
+}
+
+/// Where and when the actor enters the corridor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Entry {
+    /// [s] on the clock of the recording.
+    time: f64,
+    /// [m] `s` of its centre then, plus half of both lengths: an ego that holds its acceleration has its centre behind it.
+    limit: f64,
+}
+
+/// The candidate that is tolerable though it reacts later and counts as further on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Tolerable {
+    reaction_time: f64,
+    later: f64,
+    handicap: f64,
+}
+
+/// The candidate that comes into contact though it reacts sooner and counts as further back.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Refused {
+    reaction_time: f64,
+    sooner: f64,
+    handicap: f64,
+    contact: f64,
+}
+
+impl Proof {
+    /// That candidate `index` is the answer, and stays it for a while; none where it is not, or will not surely.
+    pub fn new(
+        encounter: &Encounter<'_>,
+        params: &Params,
+        index: usize,
+        delay: impl Fn(usize) -> Delay,
+        current_latency: f64,
+    ) -> Option<Self> {
+        let (corridor, held) = (encounter.corridor, encounter.corridor.held);
+        let provable = params.criterion == Criterion::Paper
+            && params.solver == Solver::Exact
+            && params.c1 <= 1.0
+            && encounter.earlier_is_better();
+        if !provable {
+            return None;
+        }
+        let entry = match corridor.only_side() {
+            Some(Side::Overlap) => None,
+            Some(_) => return None,
+            None => Some(Entry::of(encounter)?),
+        };
+        // The t_n or the contact of a candidate under a handicap.
+        let tried = |Delay {
+                         reaction_time,
+                         head_start,
+                     },
+                     later: f64,
+                     further: f64| {
+            let delay = Delay {
+                reaction_time: reaction_time + later,
+                head_start: head_start + further,
+            };
+            exact::first_tolerable(encounter, Criterion::Paper, 0..1, |_| {
+                encounter.candidate(delay)
+            })
+        };
+        let answer = delay(index);
+        let before = index.checked_sub(1).map(&delay);
+        let between = before.map_or(1.0, |before| before.reaction_time - answer.reaction_time);
+        let refused = match before {
+            None => None,
+            Some(before) => Some(SOONER.iter().find_map(|(share, handicap)| {
+                let sooner = share * between;
+                let found = tried(before, -sooner, -handicap);
+                (found.index == 1 && found.unmet_until < corridor.horizon).then_some(Refused {
+                    reaction_time: before.reaction_time,
+                    sooner,
+                    handicap: *handicap,
+                    contact: found.unmet_until,
+                })
+            })?),
+        };
+        let tolerable = LATER.iter().find_map(|(share, handicap)| {
+            let later = share * between;
+            let stands = held.speed + held.accel * (answer.reaction_time + later) <= 0.0;
+            let holds = !stands && tried(answer, later, *handicap).index == 0;
+            holds.then_some(Tolerable {
+                reaction_time: answer.reaction_time,
+                later,
+                handicap: *handicap,
+            })
+        })?;
+        Some(Self {
+            index,
+            current_latency,
+            now: encounter.datum.now,
+            s: corridor.ego,
+            held,
+            decel: encounter.decel,
+            entry,
+            tolerable,
+            refused,
+        })
+    }
+
+    /// Whether it holds for an ego that is at `s` [m] and in this motion at `now`, asked at this l_0.
+    #[inline]
+    pub fn holds(
+        &self,
+        params: &Params,
+        s: f64,
+        held: Start,
+        now: f64,
+        current_latency: f64,
+    ) -> bool {
+        let (since, before) = (now - self.now, self.held);
+        let Start { speed, accel } = held;
+        // How much faster and further on it is than it was to be, and how its acceleration differs.
+        let faster = speed - (before.speed + before.accel * since);
+        let further = s - (self.s + since * (before.speed + since * (before.accel / 2.0)));
+        let change = accel - before.accel;
+        since >= 0.0
+            && current_latency == self.current_latency
+            && braking_decel(accel, params.c3, params.c4) == self.decel
+            && self.decel >= -accel
+            && self.entry.is_none_or(|entry| entry.counts(s, held, now))
+            && self
+                .tolerable
+                .holds(self, since, held, (faster, further, change))
+            && self.refused.is_none_or(|refused| {
+                let needed = (1.0 - params.c1) * (s - self.s);
+                refused.holds(self, since, held, (faster, further - needed, change))
+            })
+    }
+}
+
+impl Entry {
+    /// The first and last entry of an actor that is outside as yet.
+    fn of(encounter: &Encounter<'_>) -> Option<Self> {
+        let corridor = encounter.corridor;
+        let entry = encounter.spans().find(|span| span.zone != Zone::Before)?;
+        let counts = matches!(entry.zone, Zone::Close | Zone::Overlap);
+        let later = counts && entry.start > 0.0 && corridor.view.enters_for_good();
+        later.then(|| Self {
+            time: encounter.datum.now + entry.start,
+            limit: corridor.actor_at(entry.start) + corridor.reach,
+        })
+    }
+
+    /// Whether it is still to come, and begins a stay that counts.
+    #[inline]
+    fn counts(&self, s: f64, held: Start, now: f64) -> bool {
+        let until = self.time - now;
+        until > 0.0 && s + held.distance(until) + GUARD < self.limit
+    }
+}
+
+impl Tolerable {
+    #[inline]
+    fn holds(
+        &self,
+        proof: &Proof,
+        since: f64,
+        held: Start,
+        (faster, further, change): (f64, f64, f64),
+    ) -> bool {
+        let left = self.later - since;
+        let reacting = faster + change * self.reaction_time;
+        let most = larger(larger(faster, reacting), 0.0);
+        left >= 0.0
+            && held.speed + held.accel * self.reaction_time > 0.0
+            && reacting + GUARD <= (proof.held.accel + proof.decel) * left
+            && further + (self.reaction_time + self.later) * most + GUARD <= self.handicap
+    }
+}
+
+impl Refused {
+    #[inline]
+    fn holds(
+        &self,
+        proof: &Proof,
+        since: f64,
+        held: Start,
+        (faster, further, change): (f64, f64, f64),
+    ) -> bool {
+        let first = self.reaction_time - self.sooner;
+        let reacting = faster + change * (first - since);
+        let least = larger(larger(-faster, -reacting), 0.0);
+        since <= self.contact
+            && since <= first
+            && proof.held.speed + proof.held.accel * first > 0.0
+            && held.speed + held.accel * self.reaction_time > 0.0
+            && reacting >= GUARD - (held.accel + proof.decel) * (self.sooner + since)
+            && self.handicap + further - (self.reaction_time + since) * least >= GUARD + TOLERANCE
+    }
+}
+
+/// The larger of two numbers.
+#[inline]
+fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
