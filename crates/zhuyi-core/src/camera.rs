@@ -134,7 +134,7 @@ impl Sector {
         let (x, y) = self.seen(centre);
         let [right, left] = self.borders;
         let inside = (right.0 * y - right.1 * x).min(x * left.1 - y * left.0);
-        let within = inside.min(self.range - x.hypot(y));
+        let within = inside.min(self.range - (x * x + y * y).sqrt());
         if within > CLEARANCE {
             Some((true, within - CLEARANCE))
         } else if within < -reach - CLEARANCE {

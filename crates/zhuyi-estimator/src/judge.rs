@@ -32,15 +32,21 @@ impl Judge<'_> {
         delay: impl Fn(usize) -> Delay,
         guess: usize,
     ) -> Found {
-        if !self.jumps() && self.encounter.earlier_is_better() {
+        let mut first = 0;
+        if self.encounter.earlier_is_better() {
             let candidate = |index| self.encounter.candidate(delay(index));
-            return exact::first_tolerable_near(
+            let exact = exact::first_tolerable_near(
                 self.encounter,
                 self.params.criterion,
                 count,
                 candidate,
                 guess,
             );
+            if !self.jumps() {
+                return exact;
+            }
+            // Jumps may miss a t_n; they find none where there is none.
+            first = exact.index;
         }
         let found = |index, t_n| Found {
             index,
@@ -56,7 +62,7 @@ impl Judge<'_> {
             let from_smallest = (0..count - 1).rev().map_while(tolerated);
             from_smallest.last().or_else(|| tolerated(count - 1))
         } else {
-            (0..count).find_map(tolerated)
+            (first..count).find_map(tolerated)
         };
         first.unwrap_or_else(|| found(count, None))
     }

@@ -5,7 +5,7 @@
 //! | the place of the last answer, to be looked at first | always: it need not be right |
 //! | the pieces at t_0 | t_0 does not go back |
 //! | how the bodies are to each other sideways, piece by piece | the ego keeps its offset, from the second question on |
-//! | a proof that the answer stays ([`crate::proof`]) | the ego keeps within its limits |
+//! | a proof that the answer stays (module `proof`) | the ego keeps within its limits |
 //!
 //! It only ever saves work: the answers are those of [`Estimator::recorded`].
 

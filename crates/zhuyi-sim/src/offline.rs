@@ -247,16 +247,25 @@ struct Covered {
     /// As the cameras are mounted, in the frame of the ego.
     sectors: Vec<Sector>,
     actors: Vec<Seen>,
-    /// Whether a camera covers an actor, actor by actor.
-    held: Vec<bool>,
+    /// Actor by actor, of each camera.
+    views: Vec<Covers>,
 }
 
 /// An actor in the frame of the ego.
 #[derive(Clone, Copy)]
 struct Seen {
     centre: Point,
-    /// [m] how far it may go there.
-    margin: f64,
+    /// [m] how far it has gone there, or more.
+    gone: f64,
+    /// [m] how far it may go until a camera is to be asked anew.
+    until: f64,
+}
+
+/// Whether a camera covers an actor, surely until that has gone so far [m].
+#[derive(Clone, Copy)]
+struct Covers {
+    holds: bool,
+    until: f64,
 }
 
 impl Covered {
@@ -265,12 +274,17 @@ impl Covered {
         let sector = |watch: &Watch<'_>| Sector::new(watch.camera, watch.camera.pose_on(&ego));
         let unseen = Seen {
             centre: Point::default(),
-            margin: f64::NEG_INFINITY,
+            gone: 0.0,
+            until: f64::NEG_INFINITY,
+        };
+        let nothing = Covers {
+            holds: false,
+            until: f64::NEG_INFINITY,
         };
         Self {
             sectors: rig.iter().map(sector).collect(),
             actors: vec![unseen; actors],
-            held: vec![false; rig.len() * actors],
+            views: vec![nothing; rig.len() * actors],
         }
     }
 
@@ -278,29 +292,32 @@ impl Covered {
         let ego = Axes::new(row.ego.pose);
         for (place, (body, seen)) in row.actors.iter().zip(&mut self.actors).enumerate() {
             let (x, y) = ego.local(body.pose.point());
-            seen.margin -= (x - seen.centre.x).abs() + (y - seen.centre.y).abs();
+            seen.gone += (x - seen.centre.x).abs() + (y - seen.centre.y).abs();
             seen.centre = Point::new(x, y);
-            if seen.margin > 0.0 {
+            if seen.gone < seen.until {
                 continue;
             }
             let Footprint { length, width } = body.footprint;
-            let held = &mut self.held[place * rig.len()..][..rig.len()];
-            seen.margin = f64::INFINITY;
-            for ((sector, watch), held) in self.sectors.iter().zip(rig).zip(held) {
-                let plain = sector.holds_plainly(seen.centre, 0.5 * (length + width));
-                let (is_held, margin) = plain.unwrap_or_else(|| {
-                    let looked = watch.camera.covers_body(ego.pose, body);
-                    (looked, f64::NEG_INFINITY)
-                });
-                *held = is_held;
-                seen.margin = seen.margin.min(margin);
+            let views = &mut self.views[place * rig.len()..][..rig.len()];
+            seen.until = f64::INFINITY;
+            for ((sector, watch), view) in self.sectors.iter().zip(rig).zip(views) {
+                if seen.gone >= view.until {
+                    let plain = sector.holds_plainly(seen.centre, 0.5 * (length + width));
+                    let (holds, further) = plain.unwrap_or_else(|| {
+                        let looked = watch.camera.covers_body(ego.pose, body);
+                        (looked, f64::NEG_INFINITY)
+                    });
+                    let until = seen.gone + further;
+                    *view = Covers { holds, until };
+                }
+                seen.until = seen.until.min(view.until);
             }
         }
     }
 
     /// As [`Camera::covers_body`] of the camera at this place.
     fn holds(&self, place: usize, actor: ActorId) -> bool {
-        self.held[actor.index() * self.sectors.len() + place]
+        self.views[actor.index() * self.sectors.len() + place].holds
     }
 }
 
