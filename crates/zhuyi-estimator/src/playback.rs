@@ -4,7 +4,7 @@
 //! |---|---|
 //! | the place of the last answer, to be looked at first | always: it need not be right |
 //! | the pieces at t_0 | t_0 does not go back |
-//! | how the bodies are to each other sideways, piece by piece | the ego keeps its offset, from the second question on |
+//! | how the bodies are to each other sideways, piece by piece | the ego keeps its offset |
 //! | a proof that the answer stays (module `proof`) | the ego keeps within its limits |
 //!
 //! It only ever saves work: the answers are those of [`Estimator::recorded`].
@@ -31,7 +31,7 @@ pub struct Playback<'a> {
     now: Now,
     /// What the runs are for.
     lines: Option<Lines>,
-    /// None before it has been asked twice for the same lines.
+    /// None where it has not been asked twice for the same lines, but for the first ones.
     runs: Vec<Run>,
 }
 
@@ -154,7 +154,7 @@ impl Playback<'_> {
         }
     }
 
-    /// Goes on to `now`, and looks how the bodies are to each other if it has been asked for these lines before.
+    /// Goes on to `now`, and looks how the bodies are to each other unless the lines change at every step.
     fn look(&mut self, now: f64, lines: Lines) -> Now {
         let Trajectory { along, across, .. } = self.recording.trajectory();
         if now < self.now.time {
@@ -174,10 +174,12 @@ impl Playback<'_> {
             *first_across += 1;
         }
         self.now.time = now;
-        if self.lines != Some(lines) {
+        let (first, same) = (self.lines.is_none(), self.lines == Some(lines));
+        if !same {
             self.lines = Some(lines);
             self.runs.clear();
-        } else if self.runs.is_empty() {
+        }
+        if first || (same && self.runs.is_empty()) {
             derive(across, &lines, &mut self.runs);
         }
         self.now
@@ -214,7 +216,7 @@ impl Now {
             future: Future::new(recording.trajectory(), self.time),
             first: self.first,
             runs,
-            recording: Some(recording),
+            coarse: Some(recording.coarse()),
         }
     }
 }

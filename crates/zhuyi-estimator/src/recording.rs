@@ -6,6 +6,8 @@
 //! the search passes over the block at once. This only ever saves work: what a block cannot rule out is looked at
 //! piece by piece, and the answer is that of the plain list.
 
+use std::sync::OnceLock;
+
 use crate::Future;
 use crate::conflict::Side;
 use crate::playback::Run;
@@ -43,24 +45,38 @@ pub(crate) struct AcrossBlock {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recording {
     trajectory: Trajectory,
-    pub(crate) along: [Vec<AlongBlock>; ALONG_BLOCKS.len()],
+    /// None before it is first wanted: who is always beside or behind the ego is not looked at so closely.
+    coarse: OnceLock<Coarse>,
+}
+
+/// The coarse view of a trajectory.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Coarse {
+    pub along: [Vec<AlongBlock>; ALONG_BLOCKS.len()],
     across: [Vec<AcrossBlock>; ACROSS_BLOCKS.len()],
 }
 
 impl Recording {
-    /// Looks through the trajectory once.
+    /// Takes a trajectory, which is looked through once when it is first asked about.
     pub fn new(trajectory: Trajectory) -> Self {
-        let along =
-            ALONG_BLOCKS.map(|size| blocks(&trajectory.along, size).map(along_block).collect());
-        let across = ACROSS_BLOCKS.map(|size| {
-            let blocks = blocks(&trajectory.across, size);
-            blocks.map(across_block).collect()
-        });
         Self {
             trajectory,
-            along,
-            across,
+            coarse: OnceLock::new(),
         }
+    }
+
+    /// Its coarse view.
+    pub(crate) fn coarse(&self) -> &Coarse {
+        self.coarse.get_or_init(|| Coarse {
+            along: ALONG_BLOCKS.map(|size| {
+                let blocks = blocks(&self.trajectory.along, size);
+                blocks.map(along_block).collect()
+            }),
+            across: ACROSS_BLOCKS.map(|size| {
+                let blocks = blocks(&self.trajectory.across, size);
+                blocks.map(across_block).collect()
+            }),
+        })
     }
 
     /// The trajectory as given.
@@ -75,7 +91,7 @@ impl Recording {
             future,
             first,
             runs: &[],
-            recording: Some(self),
+            coarse: Some(self.coarse()),
         }
     }
 }
@@ -88,8 +104,7 @@ pub(crate) struct View<'a> {
     pub first: [usize; 2],
     /// How the pieces across are to the ego; empty where nobody has looked.
     pub runs: &'a [Run],
-    /// With its coarse view.
-    pub recording: Option<&'a Recording>,
+    pub coarse: Option<&'a Coarse>,
 }
 
 impl<'a> View<'a> {
@@ -98,7 +113,7 @@ impl<'a> View<'a> {
             first: [future.along_index(0.0), future.across_index(0.0)],
             runs: &[],
             future,
-            recording: None,
+            coarse: None,
         }
     }
 
@@ -141,9 +156,8 @@ impl<'a> View<'a> {
     #[inline]
     pub fn begins_across_block(&self, index: usize) -> bool {
         let [.., size] = ACROSS_BLOCKS;
-        let holds =
-            |recording: &Recording| index / size < recording.across[ACROSS_BLOCKS.len() - 1].len();
-        index.is_multiple_of(size) && self.recording.is_some_and(holds)
+        let holds = |coarse: &Coarse| index / size < coarse.across[ACROSS_BLOCKS.len() - 1].len();
+        index.is_multiple_of(size) && self.coarse.is_some_and(holds)
     }
 
     /// The offsets from `time` to the end of each block of a piece, the longest first, and the piece behind that block.
@@ -155,8 +169,8 @@ impl<'a> View<'a> {
         time: f64,
     ) -> impl Iterator<Item = (&'a AcrossBlock, usize)> {
         let at = time + self.future.now;
-        let recording = self.recording.into_iter();
-        let levels = recording.flat_map(|recording| recording.across.iter().zip(ACROSS_BLOCKS));
+        let coarse = self.coarse.into_iter();
+        let levels = coarse.flat_map(|coarse| coarse.across.iter().zip(ACROSS_BLOCKS));
         levels.filter_map(move |(blocks, size)| {
             if !index.is_multiple_of(size) && time > 0.0 {
                 return None;

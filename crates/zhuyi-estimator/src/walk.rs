@@ -199,8 +199,8 @@ impl Encounter<'_> {
         to: f64,
         visitor: &impl Visitor,
     ) -> Option<(f64, usize)> {
-        let (now, recording) = (self.datum.now, self.corridor.view.recording?);
-        for (blocks, size) in recording.along.iter().zip(ALONG_BLOCKS) {
+        let (now, coarse) = (self.datum.now, self.corridor.view.coarse?);
+        for (blocks, size) in coarse.along.iter().zip(ALONG_BLOCKS) {
             let Some(block) = blocks.get(index / size) else {
                 continue;
             };

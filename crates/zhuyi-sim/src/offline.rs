@@ -5,16 +5,19 @@
 //! Beyond the paper, each an option: [`Hindsight::with_phantoms`] adds an actor wherever nobody looks,
 //! [`Hindsight::with_evasion`] lets the ego evade, [`Hindsight::of_the_visible`] leaves out who is hidden (reading R14).
 
-use zhuyi_core::{
-    ActorId, Axes, Body, Camera, CameraId, Footprint, FrameRates, Point, Pose, Road, Sector,
-    SimTime,
-};
+use zhuyi_core::{ActorId, Body, Camera, CameraId, Footprint, FrameRates, Road, SimTime};
 use zhuyi_estimator::phantom::visible_share;
 use zhuyi_estimator::{
     Demand, Ego, Estimate, Estimator, Future, Phantom, PhantomParams, Recording, Tolerance, Watch,
 };
 use zhuyi_perception::Eye;
 use zhuyi_scenario::System;
+
+mod covered;
+mod told;
+
+use covered::Covered;
+use told::Told;
 
 use crate::recorded::futures;
 use crate::surroundings::surroundings;
@@ -133,20 +136,21 @@ impl<'a> Hindsight<'a> {
     ) -> Vec<Demand> {
         let mut demands = vec![estimator.quiet(); self.rig.len()];
         let mut covered = Covered::by(&self.rig, self.futures.len());
+        covered.look(&self.rig, row);
         let tolerance = |actor: ActorId, l_0: f64| estimate(actor, l_0).into();
-        self.demands_into(estimator, row, tolerance, &mut covered, &mut demands);
+        self.demands_into(estimator, row, tolerance, &covered, &mut demands);
         demands
     }
 
+    /// The same of a row at which the cameras cover these actors.
     fn demands_into(
         &self,
         estimator: &Estimator,
         row: &Row<'_>,
         tolerance: impl FnMut(ActorId, f64) -> Tolerance,
-        covered: &mut Covered,
+        covered: &Covered,
         demands: &mut [Demand],
     ) {
-        covered.look(&self.rig, row);
         let actors = (0..).map(ActorId).zip(row.actors);
         let counts = |place: usize, actor: ActorId, body: &Body| {
             covered.holds(place, actor) && self.shows(self.rig[place].camera, row, body)
@@ -180,22 +184,17 @@ impl<'a> Hindsight<'a> {
         let mut peaks = self.no_peaks();
         let mut demands = vec![estimator.quiet(); self.rig.len()];
         let mut covered = Covered::by(&self.rig, self.futures.len());
-        let evades = self.evades(estimator);
-        let boxes = self.trace.row(0).actors.iter().map(|body| body.footprint);
-        let mut playbacks = Vec::with_capacity(self.futures.len());
-        for (recording, actor) in self.futures.iter().zip(boxes) {
-            playbacks.push(estimator.playback(recording, actor));
-        }
-        for row in self.trace.rows() {
-            let (ego, now) = (Ego::from(row.ego), row.time.seconds());
-            let tolerance = |actor: ActorId, l_0: f64| {
-                if evades {
-                    self.estimate(estimator, &row, actor, l_0).into()
-                } else {
-                    playbacks[actor.index()].tolerance(&ego, now, l_0)
-                }
-            };
-            self.demands_into(estimator, &row, tolerance, &mut covered, &mut demands);
+        let mut told = Told::by(self, estimator);
+        // Phantoms and hidden actors depend on where everybody is, and that changes at every row.
+        let settled = self.phantoms.is_none() && self.least_share.is_none();
+        for (place, row) in self.trace.rows().enumerate() {
+            let covered_anew = covered.look(&self.rig, &row);
+            let told_anew = told.ask(&row, &covered);
+            if place > 0 && settled && !covered_anew && !told_anew {
+                continue; // what it was at the row before
+            }
+            let tolerance = |actor: ActorId, l_0: f64| told.of(actor, l_0);
+            self.demands_into(estimator, &row, tolerance, &covered, &mut demands);
             self.add(&mut peaks, row.time, &demands);
         }
         peaks
@@ -238,86 +237,6 @@ impl<'a> Hindsight<'a> {
         if sum > peaks.sum {
             peaks.sum = sum;
         }
-    }
-}
-
-/// What the cameras cover at one row after the other. While an actor has gone less far in the frame of the ego than would
-/// surely change that, nothing is looked at anew.
-struct Covered {
-    /// As the cameras are mounted, in the frame of the ego.
-    sectors: Vec<Sector>,
-    actors: Vec<Seen>,
-    /// Actor by actor, of each camera.
-    views: Vec<Covers>,
-}
-
-/// An actor in the frame of the ego.
-#[derive(Clone, Copy)]
-struct Seen {
-    centre: Point,
-    /// [m] how far it has gone there, or more.
-    gone: f64,
-    /// [m] how far it may go until a camera is to be asked anew.
-    until: f64,
-}
-
-/// Whether a camera covers an actor, surely until that has gone so far [m].
-#[derive(Clone, Copy)]
-struct Covers {
-    holds: bool,
-    until: f64,
-}
-
-impl Covered {
-    fn by(rig: &[Watch<'_>], actors: usize) -> Self {
-        let ego = Axes::new(Pose::default());
-        let sector = |watch: &Watch<'_>| Sector::new(watch.camera, watch.camera.pose_on(&ego));
-        let unseen = Seen {
-            centre: Point::default(),
-            gone: 0.0,
-            until: f64::NEG_INFINITY,
-        };
-        let nothing = Covers {
-            holds: false,
-            until: f64::NEG_INFINITY,
-        };
-        Self {
-            sectors: rig.iter().map(sector).collect(),
-            actors: vec![unseen; actors],
-            views: vec![nothing; rig.len() * actors],
-        }
-    }
-
-    fn look(&mut self, rig: &[Watch<'_>], row: &Row<'_>) {
-        let ego = Axes::new(row.ego.pose);
-        for (place, (body, seen)) in row.actors.iter().zip(&mut self.actors).enumerate() {
-            let (x, y) = ego.local(body.pose.point());
-            seen.gone += (x - seen.centre.x).abs() + (y - seen.centre.y).abs();
-            seen.centre = Point::new(x, y);
-            if seen.gone < seen.until {
-                continue;
-            }
-            let Footprint { length, width } = body.footprint;
-            let views = &mut self.views[place * rig.len()..][..rig.len()];
-            seen.until = f64::INFINITY;
-            for ((sector, watch), view) in self.sectors.iter().zip(rig).zip(views) {
-                if seen.gone >= view.until {
-                    let plain = sector.holds_plainly(seen.centre, 0.5 * (length + width));
-                    let (holds, further) = plain.unwrap_or_else(|| {
-                        let looked = watch.camera.covers_body(ego.pose, body);
-                        (looked, f64::NEG_INFINITY)
-                    });
-                    let until = seen.gone + further;
-                    *view = Covers { holds, until };
-                }
-                seen.until = seen.until.min(view.until);
-            }
-        }
-    }
-
-    /// As [`Camera::covers_body`] of the camera at this place.
-    fn holds(&self, place: usize, actor: ActorId) -> bool {
-        self.views[actor.index() * self.sectors.len() + place].holds
     }
 }
 

@@ -1,0 +1,91 @@
+//! What was told of every actor, row after row.
+
+use zhuyi_core::ActorId;
+use zhuyi_estimator::playback::Playback;
+use zhuyi_estimator::{Ego, Estimator, Tolerance, Watch};
+
+use super::Hindsight;
+use super::covered::Covered;
+use crate::trace::Row;
+
+/// The answers at one row after the other, each asked for once per actor and current latency.
+pub(super) struct Told<'a> {
+    hindsight: &'a Hindsight<'a>,
+    estimator: &'a Estimator,
+    /// [s] those of the rig, each once.
+    latencies: Vec<f64>,
+    /// Actor by actor, for each latency.
+    answers: Vec<(Playback<'a>, Option<Tolerance>)>,
+}
+
+impl<'a> Told<'a> {
+    /// As nobody has been asked yet.
+    pub fn by(hindsight: &'a Hindsight<'a>, estimator: &'a Estimator) -> Self {
+        let mut latencies: Vec<f64> = Vec::new();
+        for watch in &hindsight.rig {
+            if !latencies.contains(&watch.current_latency) {
+                latencies.push(watch.current_latency);
+            }
+        }
+        let mut answers = Vec::with_capacity(hindsight.futures.len() * latencies.len());
+        let boxes = hindsight
+            .trace
+            .row(0)
+            .actors
+            .iter()
+            .map(|body| body.footprint);
+        for (recording, actor) in hindsight.futures.iter().zip(boxes) {
+            answers.extend(
+                latencies
+                    .iter()
+                    .map(|_| (estimator.playback(recording, actor), None)),
+            );
+        }
+        Self {
+            hindsight,
+            estimator,
+            latencies,
+            answers,
+        }
+    }
+
+    /// Asks about every actor that a camera covers at a row. Returns whether an answer is another one than it was.
+    pub fn ask(&mut self, row: &Row<'_>, covered: &Covered) -> bool {
+        let (hindsight, evades) = (self.hindsight, self.hindsight.evades(self.estimator));
+        let (ego, now) = (Ego::from(row.ego), row.time.seconds());
+        let actors = self.answers.chunks_exact_mut(self.latencies.len());
+        let mut changed = false;
+        for (actor, answers) in (0..).map(ActorId).zip(actors) {
+            for (l_0, (playback, answer)) in self.latencies.iter().zip(answers) {
+                let mut rig = hindsight.rig.iter().enumerate();
+                let asks = |(place, watch): (usize, &Watch<'_>)| {
+                    watch.current_latency == *l_0 && covered.holds(place, actor)
+                };
+                if !rig.any(asks) {
+                    continue;
+                }
+                let told = if evades {
+                    hindsight.estimate(self.estimator, row, actor, *l_0).into()
+                } else {
+                    playback.tolerance(&ego, now, *l_0)
+                };
+                changed |= *answer != Some(told);
+                *answer = Some(told);
+            }
+        }
+        changed
+    }
+
+    /// What was last told of an actor at a current latency of the rig.
+    pub fn of(&self, actor: ActorId, current_latency: f64) -> Tolerance {
+        let place = self
+            .latencies
+            .iter()
+            .position(|l_0| *l_0 == current_latency);
+        let told =
+            place.and_then(|place| self.answers[actor.index() * self.latencies.len() + place].1);
+        told.unwrap_or_else(|| {
+            unreachable!("nobody has asked about {actor:?} at {current_latency} s")
+        })
+    }
+}
