@@ -5,7 +5,7 @@
 //! | the place of the last answer, to be looked at first | always: it need not be right |
 //! | the pieces at t_0 | t_0 does not go back |
 //! | how the bodies are to each other sideways, piece by piece | the ego keeps its offset |
-//! | a proof that the answer stays (module `proof`) | the ego keeps within its limits |
+//! | a proof that the answer stays (module `proof`) | the ego's motion keeps within limits |
 //!
 //! It only ever saves work: the answers are those of [`Estimator::recorded`].
 
@@ -267,24 +267,27 @@ mod tests {
             };
             along.push(Along::constant_accel(time, last.s_at(time), v, accel));
         }
-        let lane = [0.0, 0.0, 3.5][rng.random_range(0..3)];
+        let mut lane = [0.0, 0.0, 3.5][rng.random_range(0..3)];
         let mut across = vec![Across {
             time: 0.0,
             d: lane,
             d_rate: 0.0,
         }];
-        if rng.random_range(0..3) == 0 {
-            let (time, to) = (rng.random_range(0.1..6.0), 3.5 - lane);
+        let mut time = 0.0;
+        for _ in 0..[0, 0, 1, 1, 2, 3][rng.random_range(0..6)] {
+            let (begin, to) = (time + rng.random_range(0.1..5.0), 3.5 - lane);
+            let end = begin + rng.random_range(1.0..4.0);
             across.push(Across {
-                time,
+                time: begin,
                 d: lane,
-                d_rate: (to - lane) / 3.0,
+                d_rate: (to - lane) / (end - begin),
             });
             across.push(Across {
-                time: time + 3.0,
+                time: end,
                 d: to,
                 d_rate: 0.0,
             });
+            (time, lane) = (end, to);
         }
         Recording::new(Trajectory {
             along,

@@ -27,14 +27,17 @@
 //! comes into contact no later, and where it met the constraints before, the handicapped one would have; Eq. 1 counts from the
 //! ego's place at t_0, which moves on, hence the last term.
 //!
+//! Who touches nobody in the whole horizon before an actor that leaves for ever is tolerable too, and stays so in the same way.
+//!
 //! A proof is for an ego that brakes by the same b, does not come to stand before it reacts and keeps its offset, and for an actor
-//! that overlaps sideways with it from now on for ever, a lead, or that enters the corridor later and for good, a cut-in: then it
-//! holds up to that time, and as long as the stay counts (reading R8). Everything else is asked step by step.
+//! with one stay in the corridor: one that overlaps sideways with the ego now, up to where it ceases to, or one that is still to
+//! enter, up to then and as long as the stay counts (reading R8). Everything else is asked step by step.
 
-use crate::conflict::{Side, Zone};
+use crate::conflict::Zone;
 use crate::constraints::TOLERANCE;
 use crate::ego_motion::{Start, braking_decel};
 use crate::encounter::{Delay, Encounter};
+use crate::recording::OnlyStay;
 use crate::{Criterion, Params, Solver, exact};
 
 /// The handicaps that are tried, the longest-lived first: a share [-] of the time between the reactions of the two candidates, by
@@ -60,20 +63,20 @@ pub(crate) struct Proof {
     s: f64,
     held: Start,
     decel: f64,
-    /// None where the actor overlaps with the ego already.
-    entry: Option<Entry>,
+    stay: Stay,
     tolerable: Tolerable,
     /// None where there is no candidate before.
     refused: Option<Refused>,
 }
 
-/// Where and when the actor enters the corridor.
+/// The one stay of the actor in the corridor.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Entry {
-    /// [s] on the clock of the recording.
-    time: f64,
-    /// [m] `s` of its centre then, plus half of both lengths: an ego that holds its acceleration has its centre behind it.
-    limit: f64,
+struct Stay {
+    /// [s] on the clock of the recording: when it begins, or when the bodies cease to overlap.
+    until: f64,
+    /// [m] of one that is to begin: `s` of the actor's centre then, plus half of both lengths. It counts if the centre of an ego that
+    /// holds its acceleration is behind.
+    limit: Option<f64>,
 }
 
 /// The candidate that is tolerable though it reacts later and counts as further on.
@@ -110,11 +113,7 @@ impl Proof {
         if !provable {
             return None;
         }
-        let entry = match corridor.only_side() {
-            Some(Side::Overlap) => None,
-            Some(_) => return None,
-            None => Some(Entry::of(encounter)?),
-        };
+        let stay = Stay::of(encounter)?;
         // The t_n or the contact of a candidate under a handicap.
         let tried = |Delay {
                          reaction_time,
@@ -163,7 +162,7 @@ impl Proof {
             s: corridor.ego,
             held,
             decel: encounter.decel,
-            entry,
+            stay,
             tolerable,
             refused,
         })
@@ -189,7 +188,7 @@ impl Proof {
             && current_latency == self.current_latency
             && braking_decel(accel, params.c3, params.c4) == self.decel
             && self.decel >= -accel
-            && self.entry.is_none_or(|entry| entry.counts(s, held, now))
+            && self.stay.holds(s, held, now)
             && self
                 .tolerable
                 .holds(self, since, held, (faster, further, change))
@@ -200,24 +199,28 @@ impl Proof {
     }
 }
 
-impl Entry {
-    /// The first and last entry of an actor that is outside as yet.
+impl Stay {
     fn of(encounter: &Encounter<'_>) -> Option<Self> {
         let corridor = encounter.corridor;
-        let entry = encounter.spans().find(|span| span.zone != Zone::Before)?;
-        let counts = matches!(entry.zone, Zone::Close | Zone::Overlap);
-        let later = counts && entry.start > 0.0 && corridor.view.enters_for_good();
-        later.then(|| Self {
-            time: encounter.datum.now + entry.start,
-            limit: corridor.actor_at(entry.start) + corridor.reach,
-        })
+        match corridor.view.only_stay()? {
+            OnlyStay::UnderWay(until) => Some(Self { until, limit: None }),
+            OnlyStay::ToCome => {
+                let entry = encounter.spans().find(|span| span.zone != Zone::Before)?;
+                let counts = matches!(entry.zone, Zone::Close | Zone::Overlap);
+                counts.then(|| Self {
+                    until: encounter.datum.now + entry.start,
+                    limit: Some(corridor.actor_at(entry.start) + corridor.reach),
+                })
+            }
+        }
     }
 
-    /// Whether it is still to come, and begins a stay that counts.
+    /// Whether it is as it was: still under way, or still to come and sure to count.
     #[inline]
-    fn counts(&self, s: f64, held: Start, now: f64) -> bool {
-        let until = self.time - now;
-        until > 0.0 && s + held.distance(until) + GUARD < self.limit
+    fn holds(&self, s: f64, held: Start, now: f64) -> bool {
+        let left = self.until - now;
+        let counts = |limit| s + held.distance(left) + GUARD < limit;
+        left > 0.0 && self.limit.is_none_or(counts)
     }
 }
 

@@ -96,6 +96,15 @@ impl Recording {
     }
 }
 
+/// The only stay of an actor in the corridor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum OnlyStay {
+    /// The bodies overlap sideways until this time [s] on the clock of the lists.
+    UnderWay(f64),
+    /// It is still to begin, if ever.
+    ToCome,
+}
+
 /// A future, with its coarse view where it has one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View<'a> {
@@ -141,15 +150,25 @@ impl<'a> View<'a> {
         Some((side, next.unwrap_or(self.future.across.len())))
     }
 
-    /// Whether the actor, once it is in the corridor, surely stays in it, and overlaps sideways with the ego in the end.
-    pub fn enters_for_good(&self) -> bool {
+    /// The one stay in the corridor that is under way, with the bodies overlapping sideways, or still to come; none where there
+    /// are more, or nobody has looked. From then on the actor stays for ever, or leaves for ever.
+    pub fn only_stay(&self) -> Option<OnlyStay> {
         let behind = self.runs.partition_point(|run| run.first <= self.first[1]);
-        let runs = &self.runs[behind.saturating_sub(1)..];
-        let is_apart = |run: &Run| run.side == Some(Side::Apart);
-        let inside = runs.iter().skip_while(|run| is_apart(run));
-        runs.last()
-            .is_some_and(|last| last.side == Some(Side::Overlap))
-            && !inside.clone().any(is_apart)
+        let (now, later) = self.runs.get(behind.checked_sub(1)?..)?.split_first()?;
+        let is_apart = |run: &&Run| run.side == Some(Side::Apart);
+        let mut left = later
+            .iter()
+            .skip_while(is_apart)
+            .skip_while(|run| !is_apart(run));
+        let mut gone = later.iter().skip_while(|run| !is_apart(run));
+        match now.side {
+            Some(Side::Overlap) if gone.all(|run| is_apart(&run)) => {
+                let next = later.first().map(|run| self.future.across[run.first].time);
+                Some(OnlyStay::UnderWay(next.unwrap_or(f64::INFINITY)))
+            }
+            Some(Side::Apart) if left.all(|run| is_apart(&run)) => Some(OnlyStay::ToCome),
+            _ => None,
+        }
     }
 
     /// Whether a block across the road begins with this piece.
