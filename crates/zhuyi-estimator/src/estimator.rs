@@ -3,6 +3,7 @@
 use crate::conflict::Corridor;
 use crate::ego_motion::{latency_within, reaction_time};
 use crate::encounter::{Delay, Encounter};
+use crate::exact::Found;
 use crate::grid::Latencies;
 use crate::judge::Judge;
 use crate::recording::{Recording, View};
@@ -22,7 +23,8 @@ pub(crate) struct Answer {
     pub estimate: Estimate,
     /// How often a candidate was looked at on a piece.
     evaluations: u32,
-    /// Its place among the candidates; nowhere if there was no conflict, or if no rate helped.
+    /// The place among the candidates of the first that has a t_n, about that of the answer; nowhere if there was no conflict,
+    /// or if no rate helped.
     pub place: Option<usize>,
 }
 
@@ -160,7 +162,7 @@ impl Estimator {
     ) -> Answer {
         let corridor = Corridor::new(&self.params, ego, actor, view);
         if let Some(encounter) = Encounter::new(&self.params, &corridor) {
-            return self.conflict(&encounter, current_latency, guess);
+            return self.conflict(&encounter, current_latency, guess, None);
         }
         let estimate = Estimate {
             state: State::None,
@@ -176,12 +178,13 @@ impl Estimator {
         }
     }
 
-    /// The same where there is a conflict.
+    /// The same where there is a conflict; the first candidate that has a t_n is `known`, or is looked for first at `guess`.
     pub(crate) fn conflict(
         &self,
         encounter: &Encounter<'_>,
         current_latency: f64,
         guess: Option<usize>,
+        known: Option<usize>,
     ) -> Answer {
         let judge = Judge {
             encounter,
@@ -190,11 +193,15 @@ impl Estimator {
         // Behind the latencies of the grid stands the last candidate: to react at once.
         let latencies = self.latencies();
         let delay = |index: usize| self.delay_of(index, current_latency);
-        let guess = guess.unwrap_or_else(|| {
-            let frames = self.params.confirm_frames;
-            self.first_within(latency_within(encounter.guess(), current_latency, frames))
+        let count = latencies.len() + 1;
+        let with_time = known.map(Found::known).or_else(|| {
+            let guess = guess.unwrap_or_else(|| {
+                let frames = self.params.confirm_frames;
+                self.first_within(latency_within(encounter.guess(), current_latency, frames))
+            });
+            judge.first_with_time(count, delay, guess)
         });
-        let found = judge.first_tolerable(latencies.len() + 1, delay, guess);
+        let found = judge.first_tolerable(count, delay, with_time);
         // What is put down as the cause is what refused the candidate before; of an actor alongside, the smallest latency.
         let (state, refused) = match found.index.checked_sub(latencies.len()) {
             None => (State::Tolerable, found.index.checked_sub(1)),
@@ -218,7 +225,7 @@ impl Estimator {
         Answer {
             estimate,
             evaluations: found.evaluations,
-            place: (!alongside).then(|| found.index.min(latencies.len())),
+            place: (!alongside).then(|| with_time.unwrap_or(found).index.min(latencies.len())),
         }
     }
 

@@ -46,6 +46,18 @@ pub(crate) struct Found {
     pub evaluations: u32,
 }
 
+impl Found {
+    /// One of which no more is known than that it is the first.
+    pub fn known(index: usize) -> Self {
+        Self {
+            index,
+            t_n: None,
+            unmet_until: 0.0,
+            evaluations: 0,
+        }
+    }
+}
+
 /// The first candidate of a range (not empty), of candidates in order of falling reaction time, that is tolerable; the
 /// end of the range if none is. What follows a tolerable one must be tolerable.
 pub(crate) fn first_tolerable<F: Fn(usize) -> Candidate>(

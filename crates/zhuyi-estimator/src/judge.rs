@@ -7,7 +7,7 @@
 use crate::conflict::Zone;
 use crate::encounter::{Ask, Candidate, Delay, Encounter, overlap};
 use crate::exact::Found;
-use crate::{Binding, Criterion, Params, Solver, exact, paper};
+use crate::{Binding, Criterion, Params, exact, paper};
 
 /// How reaction times are judged.
 #[derive(Clone, Copy, Debug)]
@@ -23,36 +23,37 @@ struct Tolerated {
 }
 
 impl Judge<'_> {
-    /// The first of `count` delays, given in falling order, that will do; with [`Params::cautious`] the first
-    /// from which on all will do. The last of them, to react at once, does not count for that. `guess` says where to look
-    /// first.
-    pub fn first_tolerable(
+    /// The first of `count` delays, given in falling order, that has a t_n, where to react earlier is never worse. `guess` says
+    /// where to look first.
+    pub fn first_with_time(
         &self,
         count: usize,
         delay: impl Fn(usize) -> Delay,
         guess: usize,
+    ) -> Option<Found> {
+        let candidate = |index| self.encounter.candidate(delay(index));
+        let (encounter, criterion) = (self.encounter, self.params.criterion);
+        encounter
+            .earlier_is_better()
+            .then(|| exact::first_tolerable_near(encounter, criterion, count, candidate, guess))
+    }
+
+    /// The first of `count` delays that will do; with [`Params::cautious`] the first from which on all will do. The last of them,
+    /// to react at once, does not count for that. `with_time` is the first that has a t_n, where that is known.
+    pub fn first_tolerable(
+        &self,
+        count: usize,
+        delay: impl Fn(usize) -> Delay,
+        with_time: Option<Found>,
     ) -> Found {
-        let mut first = 0;
-        if self.encounter.earlier_is_better() {
-            let candidate = |index| self.encounter.candidate(delay(index));
-            let exact = exact::first_tolerable_near(
-                self.encounter,
-                self.params.criterion,
-                count,
-                candidate,
-                guess,
-            );
-            if !self.jumps() {
-                return exact;
-            }
-            // Jumps may miss a t_n; they find none where there is none.
-            first = exact.index;
+        if let Some(found) = with_time
+            && !self.jumps()
+        {
+            return found;
         }
         let found = |index, t_n| Found {
-            index,
             t_n,
-            unmet_until: 0.0,
-            evaluations: 0,
+            ..Found::known(index)
         };
         let tolerated = |index| {
             let Tolerated { t_n } = self.tolerated(delay(index))?;
@@ -62,6 +63,8 @@ impl Judge<'_> {
             let from_smallest = (0..count - 1).rev().map_while(tolerated);
             from_smallest.last().or_else(|| tolerated(count - 1))
         } else {
+            // Jumps may miss a t_n; they find none where there is none.
+            let first = with_time.map_or(0, |found| found.index);
             (first..count).find_map(tolerated)
         };
         first.unwrap_or_else(|| found(count, None))
@@ -85,7 +88,7 @@ impl Judge<'_> {
 
     /// Whether t_n is searched by jumps, which may miss it.
     fn jumps(&self) -> bool {
-        self.params.criterion == Criterion::Paper && self.params.solver == Solver::Paper
+        self.params.jumps()
     }
 
     /// What refuses a delay that is not tolerable; `None` if it leaves no time in the horizon at all, or if
@@ -249,7 +252,7 @@ mod tests {
                 let share = 1.0 - index as f64 / 32.0;
                 Delay { reaction_time: longest * share, head_start: further * share }
             };
-            let found = judge.first_tolerable(33, delay, guess);
+            let found = judge.first_tolerable(33, delay, judge.first_with_time(33, delay, guess));
             let expected = (0..33).find(|index| judge.tolerated(delay(*index)).is_some());
             prop_assert_eq!(found.index, expected.unwrap_or(33));
             if let Some(refused) = found.index.checked_sub(1).map(delay) {

@@ -83,6 +83,13 @@ pub struct Params {
     pub evasion: Option<Evasion>,
 }
 
+impl Params {
+    /// Whether t_n is searched by jumps, which may miss it.
+    pub(crate) fn jumps(&self) -> bool {
+        self.criterion == Criterion::Paper && self.solver == Solver::Paper
+    }
+}
+
 impl Default for Params {
     fn default() -> Self {
         Self {

@@ -99,11 +99,13 @@ impl Playback<'_> {
         let params = self.estimator.params();
         let lines = Lines::new(params, ego, self.actor);
         let held = Start::new(ego.speed, ego.accel);
-        if let Some(proof) = &self.proof
-            && self.lines == Some(lines)
-            && proof.holds(params, ego.s, held, now, current_latency)
-        {
-            return self.tolerable(proof);
+        if let Some(proof) = &self.proof {
+            if self.lines != Some(lines) || !proof.holds(params, ego.s, held, now, current_latency)
+            {
+                self.proof = None;
+            } else if !params.jumps() {
+                return self.tolerable(proof);
+            }
         }
         let now = self.look(now, lines);
         if self.is_surely_quiet(ego, now) {
@@ -112,7 +114,7 @@ impl Playback<'_> {
         self.looked_for(ego, now, current_latency)
     }
 
-    /// The same where no proof holds, and a new one.
+    /// The same where no proof tells all of it, and a new proof.
     fn looked_for(&mut self, ego: &Ego, now: Now, current_latency: f64) -> Tolerance {
         let (estimator, params) = (self.estimator, self.estimator.params());
         let view = now.of(self.recording, &self.runs);
@@ -129,13 +131,16 @@ impl Playback<'_> {
         };
         // Mostly it is what it was.
         let last = self.last;
-        if let Some(proof) = last.and_then(prove) {
-            self.proof = Some(proof);
-            return self.tolerable(&proof);
+        self.proof = self.proof.or_else(|| last.and_then(prove));
+        if let Some(proof) = &self.proof
+            && !params.jumps()
+        {
+            return self.tolerable(proof);
         }
-        let answer = estimator.conflict(&encounter, current_latency, last);
+        let known = self.proof.map(|proof| proof.index);
+        let answer = estimator.conflict(&encounter, current_latency, last, known);
         let other = answer.place.filter(|place| last != Some(*place));
-        self.proof = other.and_then(prove);
+        self.proof = self.proof.or_else(|| other.and_then(prove));
         self.last = answer.place;
         answer.estimate.into()
     }
@@ -240,7 +245,7 @@ fn derive(pieces: &[Across], lines: &Lines, runs: &mut Vec<Run>) {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Ego, Estimator, Grid, Params, Recording, State, Uncertainty};
+    use crate::{Ego, Estimator, Grid, Params, Recording, Solver, State, Uncertainty};
     use rand::{RngExt, SeedableRng};
     use rand_chacha::ChaCha8Rng;
     use zhuyi_core::{Across, Along, Footprint, Trajectory};
@@ -302,6 +307,7 @@ mod tests {
             c2: rng.random_range(0.5..1.0),
             c4: rng.random_range(0.8..1.3),
             grid: [Grid::Ms33, Grid::Thirtieths, Grid::Fps][rng.random_range(0..3)],
+            solver: [Solver::Exact, Solver::Exact, Solver::Paper][rng.random_range(0..3)],
             uncertainty: (rng.random_range(0..8) == 0).then(Uncertainty::example),
             ..Params::default()
         }

@@ -1,4 +1,4 @@
-//! What one step proves of the steps behind it: that the answer stays, without looking for it again.
+//! What one step proves of the steps behind it: that the first latency which has a t_n stays, without looking for it again.
 //!
 //! Two candidates decide an answer, the first that is tolerable and the one before it, which is refused. At the step of the proof
 //! both are tried under a handicap each: the first reacts `later` and counts as `h` further on, the one before reacts `sooner` and
@@ -38,7 +38,7 @@ use crate::constraints::TOLERANCE;
 use crate::ego_motion::{Start, braking_decel};
 use crate::encounter::{Delay, Encounter};
 use crate::recording::OnlyStay;
-use crate::{Criterion, Params, Solver, exact};
+use crate::{Criterion, Params, exact};
 
 /// The handicaps that are tried, the longest-lived first: a share [-] of the time between the reactions of the two candidates, by
 /// which the first reacts later, and h [m].
@@ -107,7 +107,6 @@ impl Proof {
     ) -> Option<Self> {
         let (corridor, held) = (encounter.corridor, encounter.corridor.held);
         let provable = params.criterion == Criterion::Paper
-            && params.solver == Solver::Exact
             && params.c1 <= 1.0
             && encounter.earlier_is_better();
         if !provable {
