@@ -20,8 +20,11 @@
 //! | r | reaction time of the candidate, the same at every step | s |
 //! | t_c | when the refused one, handicapped, comes into contact | s |
 //!
+//! The conditions on u_r and u_q keep the speeds in order from the reaction on. Where the handicapped motion stands by then without
+//! having braked, others take their place: the real one stands by then too (tolerable), none (refused).
+//!
 //! Derivation. While both hold their accelerations the difference of two motions in speed is linear in time, so its largest value
-//! lies at an end; between their reactions it changes by the acceleration of the one plus the braking of the other; from then on
+//! lies at an end, and standing does not add to it; between their reactions it changes by the acceleration of the one plus the braking of the other; from then on
 //! both brake alike, and it cannot change its sign any more. The first line then keeps the real motion behind the handicapped one up
 //! to that one's t_n, and at t_n no faster: what held there holds. The second keeps it ahead, and from the reaction on no slower: it
 //! comes into contact no later, and where it met the constraints before, the handicapped one would have; Eq. 1 counts from the
@@ -29,7 +32,7 @@
 //!
 //! Who touches nobody in the whole horizon before an actor that leaves for ever is tolerable too, and stays so in the same way.
 //!
-//! A proof is for an ego that brakes by the same b, does not come to stand before it reacts and keeps its offset, and for an actor
+//! A proof is for an ego that brakes by the same b and keeps its offset, and for an actor
 //! with one stay in the corridor: one that overlaps sideways with the ego now, up to where it ceases to, or one that is still to
 //! enter, up to then and as long as the stay counts (reading R8). Everything else is asked step by step.
 
@@ -146,8 +149,7 @@ impl Proof {
         };
         let tolerable = LATER.iter().find_map(|(share, handicap)| {
             let later = share * between;
-            let stands = held.speed + held.accel * (answer.reaction_time + later) <= 0.0;
-            let holds = !stands && tried(answer, later, *handicap).index == 0;
+            let holds = tried(answer, later, *handicap).index == 0;
             holds.then_some(Tolerable {
                 reaction_time: answer.reaction_time,
                 later,
@@ -184,6 +186,7 @@ impl Proof {
         let further = s - (self.s + since * (before.speed + since * (before.accel / 2.0)));
         let change = accel - before.accel;
         since >= 0.0
+            && before.speed + before.accel * since >= 0.0
             && current_latency == self.current_latency
             && braking_decel(accel, params.c3, params.c4) == self.decel
             && self.decel >= -accel
@@ -235,10 +238,13 @@ impl Tolerable {
         let left = self.later - since;
         let reacting = faster + change * self.reaction_time;
         let most = larger(larger(faster, reacting), 0.0);
-        left >= 0.0
-            && held.speed + held.accel * self.reaction_time > 0.0
-            && reacting + GUARD <= (proof.held.accel + proof.decel) * left
-            && further + (self.reaction_time + self.later) * most + GUARD <= self.handicap
+        let reaction_time = self.reaction_time + self.later;
+        let in_order = if proof.held.speed + proof.held.accel * reaction_time > 0.0 {
+            reacting + GUARD <= (proof.held.accel + proof.decel) * left
+        } else {
+            held.speed + held.accel * (self.reaction_time + left) + GUARD <= 0.0
+        };
+        left >= 0.0 && in_order && further + reaction_time * most + GUARD <= self.handicap
     }
 }
 
@@ -254,11 +260,11 @@ impl Refused {
         let first = self.reaction_time - self.sooner;
         let reacting = faster + change * (first - since);
         let least = larger(larger(-faster, -reacting), 0.0);
+        let in_order = proof.held.speed + proof.held.accel * first <= 0.0
+            || reacting >= GUARD - (held.accel + proof.decel) * (self.sooner + since);
         since <= self.contact
             && since <= first
-            && proof.held.speed + proof.held.accel * first > 0.0
-            && held.speed + held.accel * self.reaction_time > 0.0
-            && reacting >= GUARD - (held.accel + proof.decel) * (self.sooner + since)
+            && in_order
             && self.handicap + further - (self.reaction_time + since) * least >= GUARD + TOLERANCE
     }
 }
