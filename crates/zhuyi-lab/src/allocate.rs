@@ -25,6 +25,7 @@ use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::{Chip, Compute, NAMES, PolicyError};
 use zhuyi_sim::{Draws, Simulation, known_future};
 
+use crate::parallel::one_by_one;
 use crate::progress::Progress;
 use crate::rates::uniform;
 use crate::results::Results;
@@ -190,7 +191,7 @@ impl Allocating {
             progress.step();
             driven
         };
-        let driven: Result<Vec<Driven>, _> = self.drives().par_iter().map(one).collect();
+        let driven: Result<Vec<Driven>, _> = one_by_one(&self.drives()).map(one).collect();
         Ok(Tally::of(driven?.iter(), system.perception.eyes.len()))
     }
 
@@ -242,7 +243,7 @@ pub fn allocate(plan: &Allocating, progress: &dyn Progress) -> Result<Allocated,
         progress.step();
         driven
     };
-    let driven: Result<Vec<Driven>, PolicyError> = jobs.par_iter().enumerate().map(one).collect();
+    let driven: Result<Vec<Driven>, PolicyError> = one_by_one(&jobs).enumerate().map(one).collect();
     let cell = |drives: &[Driven]| Cell {
         drives: drives
             .chunks(plan.seeds as usize)
@@ -294,5 +295,5 @@ fn futures(plan: &Allocating, progress: &dyn Progress) -> Vec<Vec<Vec<f64>>> {
         progress.step();
         known_future(&run.trace, &ideal, &full)
     };
-    drives.par_iter().map(one).collect()
+    one_by_one(&drives).map(one).collect()
 }

@@ -29,6 +29,7 @@ use zhuyi_sim::{Draws, Hindsight, Outcome, Simulation};
 pub use edges::Edges;
 
 use crate::estimators::{TABLE, VARIANTS as TABLES};
+use crate::parallel::one_by_one;
 use crate::progress::Progress;
 use crate::rates::uniform;
 use crate::reproduce::Plan;
@@ -138,7 +139,7 @@ pub fn beyond(plan: &Plan, progress: &dyn Progress) -> Beyond {
         progress.step();
         peaks
     };
-    let peaks: Vec<Option<[Peak; COUNT]>> = cells.par_iter().map(one).collect();
+    let peaks: Vec<Option<[Peak; COUNT]>> = one_by_one(&cells).map(one).collect();
     let peaks: Vec<Vec<[Peak; COUNT]>> = peaks
         .chunks(plan.seeds as usize)
         .map(|of_scenario| of_scenario.iter().copied().flatten().collect())

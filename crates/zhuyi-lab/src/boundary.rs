@@ -31,6 +31,7 @@ use std::collections::BTreeMap;
 
 use crate::choice::{Bench, Choice, Chosen};
 use crate::mrf::Mrf;
+use crate::parallel::one_by_one;
 use crate::progress::Progress;
 use crate::results::Results;
 use crate::shares::{Share, Stop, Trials};
@@ -129,7 +130,7 @@ impl Boundary {
             progress.step();
             curve
         };
-        chosen.par_iter().enumerate().map(curve).collect()
+        one_by_one(chosen).enumerate().map(curve).collect()
     }
 
     fn trials(&self) -> Trials {

@@ -37,6 +37,7 @@ use zhuyi_core::FrameRates;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_sim::{Draws, Outcome, STEP, Simulation};
 
+use crate::parallel::one_by_one;
 use crate::progress::Progress;
 use crate::rates::uniform;
 use crate::results::Results;
@@ -141,7 +142,7 @@ pub fn compared(comparison: &Comparison, progress: &dyn Progress) -> Compared {
         progress.step();
         audit
     };
-    let runs: Vec<Option<Audit>> = cells.par_iter().map(one).collect();
+    let runs: Vec<Option<Audit>> = one_by_one(&cells).map(one).collect();
     let scenarios: Vec<Audited> = runs
         .chunks(*seeds as usize)
         .map(|runs| Audited::new(runs, panel.models.len()))

@@ -13,6 +13,7 @@ use zhuyi_core::ActorId;
 use zhuyi_sim::{Draws, Hindsight, Outcome, Simulation};
 
 use crate::estimators::{TABLE, VARIANTS};
+use crate::parallel::one_by_one;
 use crate::rates::uniform;
 use crate::reproduce::Plan;
 
@@ -65,7 +66,7 @@ pub fn courses(plan: &Plan, scenario: &str) -> Option<Vec<Course>> {
     let place = plan.place(scenario)?;
     let seeds: Vec<u64> = (0..plan.seeds).collect();
     let of = |seed: &u64| course(plan, place, *seed);
-    let all: Vec<Option<Course>> = seeds.par_iter().map(of).collect();
+    let all: Vec<Option<Course>> = one_by_one(&seeds).map(of).collect();
     Some(all.into_iter().flatten().collect())
 }
 

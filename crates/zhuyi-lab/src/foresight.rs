@@ -18,6 +18,7 @@ use zhuyi_estimator::Estimator;
 use zhuyi_scheduler::LooksAt;
 use zhuyi_sim::{Asked, Draws, Hindsight, Online, Outcome, STEP, Scheduled};
 
+use crate::parallel::one_by_one;
 use crate::rates::uniform;
 use crate::reproduce::Plan;
 
@@ -61,7 +62,7 @@ pub fn foresights(plan: &Plan, scenario: &str) -> Option<Vec<Foresight>> {
     let place = plan.place(scenario)?;
     let seeds: Vec<u64> = (0..plan.seeds).collect();
     let of = |seed: &u64| foresight(plan, place, *seed);
-    let all: Vec<Option<Foresight>> = seeds.par_iter().map(of).collect();
+    let all: Vec<Option<Foresight>> = one_by_one(&seeds).map(of).collect();
     Some(all.into_iter().flatten().collect())
 }
 

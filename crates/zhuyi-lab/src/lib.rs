@@ -44,6 +44,7 @@ pub mod manifest;
 pub mod maps;
 pub mod mrf;
 pub mod paper;
+mod parallel;
 pub mod per_camera;
 pub mod progress;
 pub mod rates;

@@ -15,6 +15,7 @@ use zhuyi_sim::{Draws, Extremes, Frames, Hindsight, Outcome, Peaks, Run, Simulat
 use zhuyi_world::Side;
 
 pub use crate::estimators::estimator;
+use crate::parallel::one_by_one;
 pub use crate::rates::uniform;
 
 /// What stays the same over a batch of runs.
@@ -114,7 +115,7 @@ impl Experiment<'_> {
             done();
             record
         };
-        cells.par_iter().map(one).collect()
+        one_by_one(cells).map(one).collect()
     }
 
     /// Whether the run of a cell collides, and nothing else about it.

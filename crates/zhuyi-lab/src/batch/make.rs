@@ -13,6 +13,7 @@ use zhuyi_scenario::{Scenario, Setting, Source, System, load};
 use super::plan::PART;
 use super::{Made, Plan, Run};
 use crate::estimators::estimator;
+use crate::parallel::one_by_one;
 use crate::rates::uniform;
 use crate::runs::{Columns, Typed};
 use crate::sweep::{Cell, Experiment};
@@ -67,7 +68,7 @@ impl Batch<'_> {
             done();
             row
         };
-        let rows: Vec<String> = runs.par_iter().map(row).collect();
+        let rows: Vec<String> = one_by_one(&runs).map(row).collect();
         columns.header() + &rows.concat()
     }
 
