@@ -27,7 +27,7 @@ pub struct Frame {
     pub exposed: SimTime,
     /// ... and its result is available from this one on.
     pub ready: SimTime,
-    /// What was found.
+    /// What was found, in the order of the actors.
     pub detections: Vec<Detection>,
     /// Where the ego was at the exposure, by its own localisation; tells which tracked actors the camera should have seen.
     pub ego: Pose,

@@ -45,10 +45,10 @@ use crate::{Criterion, Params, exact};
 
 /// The handicaps that are tried, the longest-lived first: a share [-] of the time between the reactions of the two candidates, by
 /// which the first reacts later, and h [m].
-const LATER: [(f64, f64); 3] = [(0.5, 0.25), (0.15, 0.1), (0.04, 0.03)];
+const LATER: [(f64, f64); 2] = [(0.5, 0.15), (0.12, 0.08)];
 
 /// The same for the one before, which reacts sooner.
-const SOONER: [(f64, f64); 2] = [(0.1, 0.25), (0.02, 0.03)];
+const SOONER: [(f64, f64); 2] = [(0.05, 0.15), (0.02, 0.03)];
 
 /// [m, m/s] what rounding may take of any margin, and more.
 const GUARD: f64 = 1e-6;

@@ -43,8 +43,8 @@ pub struct View {
     field: Field,
     boxes: Vec<Option<(Footprint, Pose)>>,
     silhouettes: Vec<Silhouette>,
-    /// Of the boxes that have been asked for.
-    outlines: Vec<Option<Outline>>,
+    /// Of the boxes that have been asked for, with their places.
+    outlines: Vec<(usize, Outline)>,
     shadows: Vec<(f64, f64)>,
 }
 
@@ -129,7 +129,6 @@ impl View {
             self.silhouettes
                 .push(placed.map_or(Silhouette::OutOfView, silhouette));
             self.boxes.push(placed);
-            self.outlines.push(None);
         }
     }
 
@@ -157,12 +156,16 @@ impl View {
     }
 
     fn outline(&mut self, which: usize) -> Outline {
-        *self.outlines[which].get_or_insert_with(|| {
-            let Some((footprint, pose)) = self.boxes[which] else {
-                unreachable!("nobody asks for the outline of a box out of view")
-            };
-            Outline::new(self.eye, footprint, pose)
-        })
+        let known = self.outlines.iter().find(|(place, _)| *place == which);
+        if let Some((_, outline)) = known {
+            return *outline;
+        }
+        let Some((footprint, pose)) = self.boxes[which] else {
+            unreachable!("nobody asks for the outline of a box out of view")
+        };
+        let outline = Outline::new(self.eye, footprint, pose);
+        self.outlines.push((which, outline));
+        outline
     }
 
     /// [-] the visible share of the box at this place, in range or not.

@@ -84,19 +84,6 @@ impl Field {
             (half.0 * axes.cos, half.0 * axes.sin),
             (-half.1 * axes.sin, half.1 * axes.cos),
         );
-        let (mut right, mut left) = (centre, centre);
-        for (a, b) in [(1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (-1.0, 1.0)] {
-            let corner = (
-                centre.0 + a * along.0 + b * across.0,
-                centre.1 + a * along.1 + b * across.1,
-            );
-            if cross(right, corner) < 0.0 {
-                right = corner;
-            }
-            if cross(left, corner) > 0.0 {
-                left = corner;
-            }
-        }
         // The eye in the frame of the box.
         let (x, y) = axes.local(self.eye);
         let beyond = |distance: f64, half: f64| (distance.abs() - half).max(0.0);
@@ -104,6 +91,14 @@ impl Field {
         if nearest < MARGIN {
             return Silhouette::Open;
         }
+        let corner = |(a, b): (f64, f64)| {
+            (
+                centre.0 + a * along.0 + b * across.0,
+                centre.1 + a * along.1 + b * across.1,
+            )
+        };
+        let (right, left) = outermost((x, y), half);
+        let (right, left) = (corner(right), corner(left));
         if self.misses_angle((right, left)) {
             return Silhouette::OutOfView;
         }
@@ -113,6 +108,29 @@ impl Field {
             nearest,
             furthest: (x.abs() + half.0).powi(2) + (y.abs() + half.1).powi(2),
         })
+    }
+}
+
+/// The rightmost and the leftmost corner of a box, as ahead (1) or behind (-1) and left (1) or right (-1) of its centre, for an eye
+/// outside of it that is at (x, y) in its frame.
+///
+/// Of an eye ahead of the box they are its front corners, the left one to the right; beside a corner they are its two neighbours.
+fn outermost((x, y): Vector, half: Vector) -> (Vector, Vector) {
+    const AHEAD_LEFT: Vector = (1.0, 1.0);
+    const AHEAD_RIGHT: Vector = (1.0, -1.0);
+    const BEHIND_LEFT: Vector = (-1.0, 1.0);
+    const BEHIND_RIGHT: Vector = (-1.0, -1.0);
+    let (ahead, behind, to_left) = (x > half.0, x < -half.0, y > 0.0);
+    let beside = y.abs() > half.1;
+    match (ahead, behind, beside, to_left) {
+        (true, _, false, _) => (AHEAD_LEFT, AHEAD_RIGHT),
+        (true, _, true, true) => (BEHIND_LEFT, AHEAD_RIGHT),
+        (true, _, true, false) => (AHEAD_LEFT, BEHIND_RIGHT),
+        (_, true, false, _) => (BEHIND_RIGHT, BEHIND_LEFT),
+        (_, true, true, true) => (BEHIND_RIGHT, AHEAD_LEFT),
+        (_, true, true, false) => (AHEAD_RIGHT, BEHIND_LEFT),
+        (_, _, _, true) => (BEHIND_LEFT, AHEAD_LEFT),
+        (_, _, _, false) => (AHEAD_RIGHT, BEHIND_RIGHT),
     }
 }
 

@@ -105,9 +105,11 @@ impl Tracker {
         let camera = frame.camera.index();
         let (eye, view) = (&self.params.eyes[camera], &mut self.views[camera]);
         let mut aimed = false;
+        // Both stand in the order of the actors.
+        let mut detections = frame.detections.iter().peekable();
         for (index, file) in self.files.iter_mut().enumerate() {
-            let actor = ActorId(index as u32);
-            if let Some(detection) = frame.detections.iter().find(|found| found.actor == actor) {
+            let is_of = |found: &&Detection| found.actor.index() == index;
+            if let Some(detection) = detections.next_if(is_of) {
                 file.take(detection, frame.exposed, &self.params);
                 file.counts[camera].found += 1;
                 file.confirmed |= file.counts[camera].found >= eye.confirm_frames;

@@ -84,7 +84,11 @@ impl Mover {
             Drive::Reach { speed, accel } => ((speed - self.speed) / dt).clamp(-accel, accel),
             Drive::Brake { decel } => -decel,
         };
-        self.accel = wanted.max(-self.speed / dt);
+        self.accel = if wanted < 0.0 {
+            wanted.max(-self.speed / dt)
+        } else {
+            wanted
+        };
     }
 
     fn begin(&mut self, action: Action, road: &Road) {

@@ -22,7 +22,7 @@ use parry2d::query::{
 };
 use parry2d::shape::Cuboid;
 use zhuyi_core::geometry::wrap_angle;
-use zhuyi_core::{ActorId, Footprint, Pose};
+use zhuyi_core::{ActorId, Body, Footprint, Pose};
 
 use boxes::{Placed, axes, into_frame, normal};
 
@@ -115,9 +115,6 @@ pub fn first_contact(
 ) -> Option<Contact> {
     let mut first: Option<Contact> = None;
     for (actor, other) in others {
-        if are_far_apart(ego, &other) {
-            continue;
-        }
         let Some(fraction) = touch(ego, &other) else {
             continue;
         };
@@ -138,14 +135,15 @@ pub fn first_contact(
     first
 }
 
-/// Whether two bodies are surely apart, side by side or one behind the other in the world, during the whole step.
+/// Whether two bodies, from the start of a step to its end, are surely apart during all of it: in the world's x or y.
 #[inline]
-fn are_far_apart(ego: &Motion, other: &Motion) -> bool {
+pub fn are_far_apart(ego: (&Body, &Body), other: (&Body, &Body)) -> bool {
     // No box reaches farther than half its length and half its width together.
-    let (a, b) = (ego.footprint, other.footprint);
+    let (a, b) = (ego.0.footprint, other.0.footprint);
     let reach = 0.5 * (a.length + a.width + b.length + b.width);
-    parted(other.from.x - ego.from.x, other.to.x - ego.to.x, reach)
-        || parted(other.from.y - ego.from.y, other.to.y - ego.to.y, reach)
+    let (before, after) = ((ego.0.pose, other.0.pose), (ego.1.pose, other.1.pose));
+    parted(before.1.x - before.0.x, after.1.x - after.0.x, reach)
+        || parted(before.1.y - before.0.y, after.1.y - after.0.y, reach)
 }
 
 /// The fraction of the step at which two bodies first touch.

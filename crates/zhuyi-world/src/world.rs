@@ -3,7 +3,7 @@
 use zhuyi_core::{ActorId, Body, Command, Footprint, Point, Pose, Road, Scene, SimTime};
 
 use crate::actor::Mover;
-use crate::contact::{Contact, Motion, first_contact};
+use crate::contact::{Contact, Motion, are_far_apart, first_contact};
 use crate::crash::{Crash, CrashBody, CrashError, crash};
 use crate::script::{Actor, Place};
 use crate::vehicle::{Ego, Turn, Vehicle};
@@ -194,9 +194,11 @@ impl<'a> World<'a> {
             .iter()
             .zip(&self.scene.actors)
             .enumerate();
+        let ego = (&self.previous.ego, &self.scene.ego);
+        let near = others.filter(|(_, other)| !are_far_apart(ego, *other));
         first_contact(
-            &motion(&self.previous.ego, &self.scene.ego),
-            others.map(|(i, (from, to))| (ActorId(i as u32), motion(from, to))),
+            &motion(ego.0, ego.1),
+            near.map(|(i, (from, to))| (ActorId(i as u32), motion(from, to))),
         )
     }
 
