@@ -58,6 +58,9 @@ pub(crate) struct Corridor<'a> {
     pub horizon: f64,
 }
 
+/// [m] an ego that has moved sideways by less has hardly moved.
+const NEAR: f64 = 0.003;
+
 /// Where the bodies begin to be close and to overlap sideways.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Lines {
@@ -89,12 +92,24 @@ impl Lines {
         }
     }
 
-    /// The one relation of an actor that goes from one offset to another; none if there is more than one.
+    /// The one relation of an actor that goes from one offset to another, whatever lines [near](Lines::are_near) these it is to;
+    /// none if there may be more than one.
     pub fn side_between(&self, d: f64, end: f64) -> Option<Side> {
         let (from, to) = (d - self.ego, end - self.ego);
         let side = self.side_at(from);
+        let is_surely = |offset: f64| {
+            let distance = offset.abs();
+            let clear = |line: f64| (distance - line).abs() > NEAR;
+            self.side_at(offset) == side && clear(self.body) && clear(self.lane)
+        };
         let crosses = side != Side::Overlap && (from > 0.0) != (to > 0.0);
-        (self.side_at(to) == side && !crosses && !to.is_nan()).then_some(side)
+        (is_surely(from) && is_surely(to) && !crosses && !to.is_nan()).then_some(side)
+    }
+
+    /// Whether others are the same for an ego that has hardly moved sideways.
+    pub fn are_near(&self, other: &Self) -> bool {
+        let same = self.body == other.body && self.lane == other.lane;
+        same && (self.ego - other.ego).abs() < NEAR
     }
 }
 

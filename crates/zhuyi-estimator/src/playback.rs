@@ -4,7 +4,7 @@
 //! |---|---|
 //! | the place of the last answer, to be looked at first | always: it need not be right |
 //! | the pieces at t_0 | t_0 does not go back |
-//! | how the bodies are to each other sideways, piece by piece | the ego keeps its offset |
+//! | how the bodies are to each other sideways, piece by piece | the ego keeps its offset within 3 mm |
 //! | a proof that the answer stays (module `proof`) | the ego's motion keeps within limits |
 //!
 //! It only ever saves work: the answers are those of [`Estimator::recorded`].
@@ -19,6 +19,9 @@ use crate::proof::Proof;
 use crate::recording::{Recording, View};
 use crate::{Ego, Estimate, Estimator, Future};
 
+/// After how many questions a proof is tried again where there was none.
+const PAUSE: u32 = 4;
+
 /// A recording of an actor with what its last answer told.
 #[derive(Clone, Debug)]
 pub struct Playback<'a> {
@@ -28,10 +31,12 @@ pub struct Playback<'a> {
     /// The place of the last answer among the candidates.
     last: Option<usize>,
     proof: Option<Proof>,
+    /// How many questions are answered without trying for a proof.
+    pause: u32,
     now: Now,
-    /// What the runs are for.
+    /// What the runs are for, and all lines near them.
     lines: Option<Lines>,
-    /// None where it has not been asked twice for the same lines, but for the first ones.
+    /// None where the ego is on its way sideways.
     runs: Vec<Run>,
 }
 
@@ -72,6 +77,7 @@ impl Estimator {
             actor,
             last: None,
             proof: None,
+            pause: 0,
             now: Now {
                 time: f64::NEG_INFINITY,
                 first: [0; 2],
@@ -100,8 +106,8 @@ impl Playback<'_> {
         let lines = Lines::new(params, ego, self.actor);
         let held = Start::new(ego.speed, ego.accel);
         if let Some(proof) = &self.proof {
-            if self.lines != Some(lines) || !proof.holds(params, ego.s, held, now, current_latency)
-            {
+            let is_near = self.lines.is_some_and(|kept| kept.are_near(&lines));
+            if !is_near || !proof.holds(params, lines, ego.s, held, now, current_latency) {
                 self.proof = None;
             } else if !params.jumps() {
                 return self.tolerable(proof);
@@ -131,7 +137,9 @@ impl Playback<'_> {
         };
         // Mostly it is what it was.
         let last = self.last;
-        self.proof = self.proof.or_else(|| last.and_then(prove));
+        if self.proof.is_none() && self.pause == 0 {
+            self.proof = last.and_then(prove);
+        }
         if let Some(proof) = &self.proof
             && !params.jumps()
         {
@@ -139,8 +147,13 @@ impl Playback<'_> {
         }
         let known = self.proof.map(|proof| proof.index);
         let answer = estimator.conflict(&encounter, current_latency, last, known);
-        let other = answer.place.filter(|place| last != Some(*place));
-        self.proof = self.proof.or_else(|| other.and_then(prove));
+        if self.proof.is_none() && self.pause == 0 {
+            let other = answer.place.filter(|place| last != Some(*place));
+            self.proof = other.and_then(prove);
+            self.pause = if self.proof.is_none() { PAUSE } else { 0 };
+        } else {
+            self.pause = self.pause.saturating_sub(1);
+        }
         self.last = answer.place;
         answer.estimate.into()
     }
@@ -159,7 +172,7 @@ impl Playback<'_> {
         }
     }
 
-    /// Goes on to `now`, and looks how the bodies are to each other unless the lines change at every step.
+    /// Goes on to `now`, and looks how the bodies are to each other unless the ego is on its way sideways.
     fn look(&mut self, now: f64, lines: Lines) -> Now {
         let Trajectory { along, across, .. } = self.recording.trajectory();
         if now < self.now.time {
@@ -179,13 +192,14 @@ impl Playback<'_> {
             *first_across += 1;
         }
         self.now.time = now;
-        let (first, same) = (self.lines.is_none(), self.lines == Some(lines));
-        if !same {
-            self.lines = Some(lines);
+        let is_near = self.lines.is_none_or(|kept| kept.are_near(&lines));
+        if !is_near || self.runs.is_empty() {
+            // A proof rests on the runs.
+            (self.lines, self.proof) = (Some(lines), None);
             self.runs.clear();
-        }
-        if first || (same && self.runs.is_empty()) {
-            derive(across, &lines, &mut self.runs);
+            if is_near {
+                derive(across, &lines, &mut self.runs);
+            }
         }
         self.now
     }
@@ -306,6 +320,7 @@ mod tests {
             c1: rng.random_range(0.5..1.0),
             c2: rng.random_range(0.5..1.0),
             c4: rng.random_range(0.8..1.3),
+            horizon: [20.0, 20.0, 4.0][rng.random_range(0..3)],
             grid: [Grid::Ms33, Grid::Thirtieths, Grid::Fps][rng.random_range(0..3)],
             solver: [Solver::Exact, Solver::Exact, Solver::Paper][rng.random_range(0..3)],
             uncertainty: (rng.random_range(0..8) == 0).then(Uncertainty::example),
@@ -330,6 +345,8 @@ mod tests {
             };
             // How restless the ego is: mostly as in a drive, now and then by jumps.
             let restless = [0.0, 0.02, 0.5, 5.0][rng.random_range(0..4)];
+            // Of no such steps as put the ego on the very border of the corridor.
+            let drift = [0.0, 0.0, 5.1e-4, -0.021_37][rng.random_range(0..4)];
             let (mut now, mut current_latency) = (0.0, 1.0 / 30.0);
             for _ in 0..400 {
                 let plain = estimator.recorded(&ego, CAR, &recording, now, current_latency);
@@ -352,6 +369,7 @@ mod tests {
                 now += step;
                 ego.s += step * (ego.speed + step * ego.accel / 2.0).max(0.0);
                 ego.speed = (ego.speed + step * ego.accel).max(0.0);
+                ego.d += drift * step / 0.01;
                 ego.accel = (ego.accel + restless * rng.random_range(-1.0..1.0)).clamp(-8.0, 3.0);
                 match rng.random_range(0..400) {
                     0 => ego.d = rng.random_range(-1.0..1.0),
@@ -364,7 +382,7 @@ mod tests {
         }
         assert!(tolerable > 500_000, "{tolerable} of {asked}");
         assert!(
-            by_proof > 150_000 && by_proof < tolerable,
+            by_proof > 70_000 && by_proof < tolerable,
             "{by_proof} of {tolerable}"
         );
     }

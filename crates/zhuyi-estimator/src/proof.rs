@@ -18,7 +18,7 @@
 //! | Δ | time since the proof | s |
 //! | s, v, a, b | the ego's place, speed, acceleration and braking | m, m/s, m/s2, m/s2 |
 //! | r | reaction time of the candidate, the same at every step | s |
-//! | t_c | when the refused one, handicapped, comes into contact | s |
+//! | t_c | when the refused one, handicapped, comes into contact; infinite where it and the actor come to stand without | s |
 //!
 //! The conditions on u_r and u_q keep the speeds in order from the reaction on. Where the handicapped motion stands by then without
 //! having braked, others take their place: the real one stands by then too (tolerable), none (refused).
@@ -36,7 +36,9 @@
 //! with one stay in the corridor: one that overlaps sideways with the ego now, up to where it ceases to, or one that is still to
 //! enter, up to then and as long as the stay counts (reading R8). Everything else is asked step by step.
 
-use crate::conflict::Zone;
+use crate::conflict::{Lines, Zone};
+use zhuyi_core::Along;
+
 use crate::constraints::TOLERANCE;
 use crate::ego_motion::{Start, braking_decel};
 use crate::encounter::{Delay, Encounter};
@@ -75,6 +77,7 @@ pub(crate) struct Proof {
 /// The one stay of the actor in the corridor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Stay {
+    lines: Lines,
     /// [s] on the clock of the recording: when it begins, or when the bodies cease to overlap.
     until: f64,
     /// [m] of one that is to begin: `s` of the actor's centre then, plus half of both lengths. It counts if the centre of an ego that
@@ -90,7 +93,7 @@ struct Tolerable {
     handicap: f64,
 }
 
-/// The candidate that comes into contact though it reacts sooner and counts as further back.
+/// The candidate that comes into contact, or never gets a t_n, though it reacts sooner and counts as further back.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Refused {
     reaction_time: f64,
@@ -116,6 +119,17 @@ impl Proof {
             return None;
         }
         let stay = Stay::of(encounter)?;
+        // Before an actor that stands for ever, an ego that stands and has no t_n gets none later.
+        let all_stand = |before: &Delay| {
+            let stands = |piece: &Along| {
+                let moves = [piece.s_rate, piece.s_half_accel, piece.v, piece.v_rate];
+                moves == [0.0; 4] && piece.time < encounter.datum.now + corridor.horizon
+            };
+            let motion = encounter.candidate(*before).motion;
+            stay.is_for_ever()
+                && corridor.view.future.along.last().is_some_and(stands)
+                && motion.stands_from() <= corridor.horizon
+        };
         // The t_n or the contact of a candidate under a handicap.
         let tried = |Delay {
                          reaction_time,
@@ -139,11 +153,17 @@ impl Proof {
             Some(before) => Some(SOONER.iter().find_map(|(share, handicap)| {
                 let sooner = share * between;
                 let found = tried(before, -sooner, -handicap);
-                (found.index == 1 && found.unmet_until < corridor.horizon).then_some(Refused {
+                let touches = found.unmet_until < corridor.horizon;
+                let refused = found.index == 1 && (touches || all_stand(&before));
+                refused.then_some(Refused {
                     reaction_time: before.reaction_time,
                     sooner,
                     handicap: *handicap,
-                    contact: found.unmet_until,
+                    contact: if touches {
+                        found.unmet_until
+                    } else {
+                        f64::INFINITY
+                    },
                 })
             })?),
         };
@@ -169,11 +189,12 @@ impl Proof {
         })
     }
 
-    /// Whether it holds for an ego that is at `s` [m] and in this motion at `now`, asked at this l_0.
+    /// Whether it holds, with the runs of pieces across that it was made with, for an ego that is at `s` [m] and in this motion at `now`, asked at this l_0.
     #[inline]
     pub fn holds(
         &self,
         params: &Params,
+        lines: Lines,
         s: f64,
         held: Start,
         now: f64,
@@ -190,7 +211,7 @@ impl Proof {
             && current_latency == self.current_latency
             && braking_decel(accel, params.c3, params.c4) == self.decel
             && self.decel >= -accel
-            && self.stay.holds(s, held, now)
+            && self.stay.holds(lines, s, held, now)
             && self
                 .tolerable
                 .holds(self, since, held, (faster, further, change))
@@ -205,11 +226,16 @@ impl Stay {
     fn of(encounter: &Encounter<'_>) -> Option<Self> {
         let corridor = encounter.corridor;
         match corridor.view.only_stay()? {
-            OnlyStay::UnderWay(until) => Some(Self { until, limit: None }),
+            OnlyStay::UnderWay(until) => Some(Self {
+                lines: corridor.lines,
+                until,
+                limit: None,
+            }),
             OnlyStay::ToCome => {
                 let entry = encounter.spans().find(|span| span.zone != Zone::Before)?;
                 let counts = matches!(entry.zone, Zone::Close | Zone::Overlap);
                 counts.then(|| Self {
+                    lines: corridor.lines,
                     until: encounter.datum.now + entry.start,
                     limit: Some(corridor.actor_at(entry.start) + corridor.reach),
                 })
@@ -219,10 +245,17 @@ impl Stay {
 
     /// Whether it is as it was: still under way, or still to come and sure to count.
     #[inline]
-    fn holds(&self, s: f64, held: Start, now: f64) -> bool {
+    fn holds(&self, lines: Lines, s: f64, held: Start, now: f64) -> bool {
         let left = self.until - now;
         let counts = |limit| s + held.distance(left) + GUARD < limit;
-        left > 0.0 && self.limit.is_none_or(counts)
+        // When an actor enters or leaves depends on the very lines.
+        let same = self.is_for_ever() || self.lines == lines;
+        same && left > 0.0 && self.limit.is_none_or(counts)
+    }
+
+    /// Whether it does not end.
+    fn is_for_ever(&self) -> bool {
+        self.until == f64::INFINITY
     }
 }
 
