@@ -225,9 +225,7 @@ impl Walk {
             return (side, end.min(horizon), next.min(across.len() - 1));
         }
         let Lines { ego, body, lane } = corridor.lines;
-        let unknown = view.runs.is_empty();
-        let blocks = unknown.then(|| view.across_blocks(self.index, self.time));
-        for (block, next) in blocks.into_iter().flatten() {
+        for (block, next) in view.across_blocks(self.index, self.time) {
             let (right, left, end) = (
                 block.d_min - ego,
                 block.d_max - ego,

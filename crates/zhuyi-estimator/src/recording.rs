@@ -180,7 +180,7 @@ impl<'a> View<'a> {
     }
 
     /// The offsets from `time` to the end of each block of a piece, the longest first, and the piece behind that block.
-    /// Later than at t_0 only the blocks that begin with the piece: the others have been offered.
+    /// Later than at t_0 only the blocks that begin with the piece: the others have been offered. None where the runs tell more.
     #[inline]
     pub fn across_blocks(
         &self,
@@ -188,16 +188,21 @@ impl<'a> View<'a> {
         time: f64,
     ) -> impl Iterator<Item = (&'a AcrossBlock, usize)> {
         let at = time + self.future.now;
-        let coarse = self.coarse.into_iter();
-        let levels = coarse.flat_map(|coarse| coarse.across.iter().zip(ACROSS_BLOCKS));
-        levels.filter_map(move |(blocks, size)| {
-            if !index.is_multiple_of(size) && time > 0.0 {
-                return None;
-            }
-            let block = blocks.get(index / size)?;
-            // Before the list begins its first piece is extended backwards, the block is not.
-            (block.start <= at).then_some((block, (index / size + 1) * size))
-        })
+        let levels: &[Vec<AcrossBlock>] = match self.coarse {
+            Some(coarse) if self.runs.is_empty() => &coarse.across,
+            _ => &[],
+        };
+        levels
+            .iter()
+            .zip(ACROSS_BLOCKS)
+            .filter_map(move |(blocks, size)| {
+                if !index.is_multiple_of(size) && time > 0.0 {
+                    return None;
+                }
+                let block = blocks.get(index / size)?;
+                // Before the list begins its first piece is extended backwards, the block is not.
+                (block.start <= at).then_some((block, (index / size + 1) * size))
+            })
     }
 }
 
