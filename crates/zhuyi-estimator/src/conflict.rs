@@ -52,8 +52,6 @@ pub(crate) struct Corridor<'a> {
     pub held: Start,
     /// [m] `s` of the ego's centre at t_0.
     pub ego: f64,
-    /// [m] half of both lengths.
-    pub reach: f64,
     pub lines: Lines,
     pub horizon: f64,
 }
@@ -61,7 +59,7 @@ pub(crate) struct Corridor<'a> {
 /// [m] an ego that has moved sideways by less has hardly moved.
 const NEAR: f64 = 0.003;
 
-/// Where the bodies begin to be close and to overlap sideways.
+/// Where the bodies begin to be close and to overlap.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Lines {
     /// [m] offset of the ego.
@@ -70,6 +68,8 @@ pub(crate) struct Lines {
     pub body: f64,
     /// [m] offset from it below which the actor is in the corridor.
     pub lane: f64,
+    /// [m] distance along the road below which they overlap lengthwise: half of both lengths.
+    pub reach: f64,
 }
 
 impl Lines {
@@ -79,6 +79,7 @@ impl Lines {
             ego: ego.d,
             body,
             lane: body + params.lateral_margin,
+            reach: f64::midpoint(ego.footprint.length, actor.length),
         }
     }
 
@@ -108,7 +109,7 @@ impl Lines {
 
     /// Whether others are the same for an ego that has hardly moved sideways.
     pub fn are_near(&self, other: &Self) -> bool {
-        let same = self.body == other.body && self.lane == other.lane;
+        let same = (self.body, self.lane, self.reach) == (other.body, other.lane, other.reach);
         same && (self.ego - other.ego).abs() < NEAR
     }
 }
@@ -120,7 +121,6 @@ impl<'a> Corridor<'a> {
             view,
             held: Start::new(ego.speed, ego.accel),
             ego: ego.s,
-            reach: f64::midpoint(ego.footprint.length, actor.length),
             lines: Lines::new(params, ego, actor),
             horizon: params.horizon,
         }
@@ -224,7 +224,9 @@ impl Walk {
                 .map_or(f64::INFINITY, |piece| piece.time - view.future.now);
             return (side, end.min(horizon), next.min(across.len() - 1));
         }
-        let Lines { ego, body, lane } = corridor.lines;
+        let Lines {
+            ego, body, lane, ..
+        } = corridor.lines;
         for (block, next) in view.across_blocks(self.index, self.time) {
             let (right, left, end) = (
                 block.d_min - ego,
@@ -306,7 +308,7 @@ impl Walk {
         if side == Side::Apart {
             self.stay = None;
         } else if self.stay.is_none() {
-            let (ahead, reach) = (corridor.ahead(start), corridor.reach);
+            let (ahead, reach) = (corridor.ahead(start), corridor.lines.reach);
             let counts = ahead >= -reach;
             abreast = counts && ahead < reach;
             self.conflict_seen |= counts;
@@ -389,7 +391,7 @@ impl Spans {
             Side::Close => Zone::Close,
             Side::Overlap => Zone::Overlap,
         };
-        let (ahead, reach) = (corridor.ahead(0.0), corridor.reach);
+        let (ahead, reach) = (corridor.ahead(0.0), corridor.lines.reach);
         let stay = Span {
             start: 0.0,
             end: corridor.horizon,

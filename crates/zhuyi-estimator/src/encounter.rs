@@ -40,7 +40,7 @@ impl<'a> Encounter<'a> {
             decel: braking_decel(corridor.held.accel, params.c3, params.c4),
             datum: Datum {
                 now: future.now,
-                origin: corridor.ego + corridor.reach,
+                origin: corridor.ego + corridor.lines.reach,
             },
             corridor,
         })

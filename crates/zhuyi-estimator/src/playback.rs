@@ -9,7 +9,7 @@
 //!
 //! It only ever saves work: the answers are those of [`Estimator::recorded`].
 
-use zhuyi_core::{Across, Footprint, Trajectory};
+use zhuyi_core::{Across, Along, Footprint, Trajectory};
 
 use crate::conflict::{Corridor, Lines, Side};
 use crate::ego_motion::Start;
@@ -114,7 +114,7 @@ impl Playback<'_> {
             }
         }
         let now = self.look(now, lines);
-        if self.is_surely_quiet(ego, now) {
+        if self.is_surely_quiet(ego, lines, now) {
             return self.quiet();
         }
         self.looked_for(ego, now, current_latency)
@@ -205,17 +205,18 @@ impl Playback<'_> {
     }
 
     /// Whether it is plain that there is no conflict: the actor stays beside the corridor, or it is in it and behind the ego.
-    fn is_surely_quiet(&self, ego: &Ego, now: Now) -> bool {
+    fn is_surely_quiet(&self, ego: &Ego, lines: Lines, now: Now) -> bool {
         let (Some(last), [along, across]) = (self.runs.last(), now.first) else {
             return false;
         };
-        let piece = &self.recording.trajectory().along[along];
-        let ahead = || piece.s_at(now.time) - ego.s;
-        let reach = || 0.5 * (ego.footprint.length + self.actor.length);
+        let is_behind = |piece: &Along| piece.s_at(now.time) - ego.s < -lines.reach;
         last.first <= across
             && match last.side {
                 Some(Side::Apart) => true,
-                Some(_) => ahead() < -reach(),
+                Some(_) => {
+                    let piece = self.recording.trajectory().along.get(along);
+                    piece.is_some_and(is_behind)
+                }
                 None => false,
             }
     }
@@ -294,7 +295,12 @@ mod tests {
         }];
         let mut time = 0.0;
         for _ in 0..[0, 0, 1, 1, 2, 3][rng.random_range(0..6)] {
-            let (begin, to) = (time + rng.random_range(0.1..5.0), 3.5 - lane);
+            // Now and then one change follows at once on another.
+            let pause = f64::max(rng.random_range(-2.0..5.0), 0.0);
+            let (begin, to) = (
+                time + pause + f64::from(u8::from(time == 0.0)) * 0.1,
+                3.5 - lane,
+            );
             let end = begin + rng.random_range(1.0..4.0);
             across.push(Across {
                 time: begin,
@@ -326,6 +332,62 @@ mod tests {
             uncertainty: (rng.random_range(0..8) == 0).then(Uncertainty::example),
             ..Params::default()
         }
+    }
+
+    /// Asks twice, (now, s, v, a) each, of an actor that stands at `s` and moves across through (t, d); the answers as asked anew.
+    fn asked_twice(params: Params, s: f64, across: &[(f64, f64)], steps: [[f64; 4]; 2]) {
+        let rate = |place: usize| match across.get(place + 1) {
+            Some((next, d)) => (d - across[place].1) / (next - across[place].0),
+            None => 0.0,
+        };
+        let pieces = across.iter().enumerate().map(|(place, (time, d))| Across {
+            time: *time,
+            d: *d,
+            d_rate: rate(place),
+        });
+        let recording = Recording::new(Trajectory {
+            along: vec![Along::constant_accel(0.0, s, 0.0, 0.0)],
+            across: pieces.collect(),
+            known_until: 20.0,
+        });
+        let estimator = Estimator::new(params);
+        let mut playback = estimator.playback(&recording, CAR);
+        for [now, s, speed, accel] in steps {
+            let ego = Ego {
+                s,
+                d: 0.0,
+                speed,
+                accel,
+                footprint: CAR,
+            };
+            let plain = estimator.recorded(&ego, CAR, &recording, now, 1.0 / 30.0);
+            let played = playback.tolerance(&ego, now, 1.0 / 30.0);
+            assert_eq!(played, plain.into(), "at {now}");
+        }
+    }
+
+    #[test]
+    fn regress_a_second_stay_counts_later_though_it_did_not_before() {
+        let swerves = [(0.0, 0.0), (1.0, 0.0), (2.0, 3.5), (6.0, 0.0)];
+        let steps = [[0.0, 0.0, 10.0, 0.0], [0.2, 1.98, 9.8, -1.0]];
+        asked_twice(Params::default(), 30.0, &swerves, steps);
+    }
+
+    #[test]
+    fn regress_a_second_stay_comes_into_the_horizon() {
+        let params = Params {
+            horizon: 4.0,
+            ..Params::default()
+        };
+        let swerves = [(0.0, 0.0), (0.6, 0.0), (1.1, 5.0), (1.6, 0.0)];
+        let steps = [[0.0, 0.0, 30.0, 0.0], [0.09, 2.7, 30.0, 0.0]];
+        asked_twice(params, 89.0, &swerves, steps);
+    }
+
+    #[test]
+    fn regress_an_ego_that_jumps_back() {
+        let steps = [[0.0, 0.0, 10.0, 0.0], [0.01, -14.894, 12.391, 0.0]];
+        asked_twice(Params::default(), 85.8759, &[(0.0, 0.0)], steps);
     }
 
     #[test]
@@ -375,6 +437,11 @@ mod tests {
                     0 => ego.d = rng.random_range(-1.0..1.0),
                     1 => ego.s += rng.random_range(-1.0..1.0),
                     2 => ego.speed += rng.random_range(0.0..1.0),
+                    4 => {
+                        ego.s -= rng.random_range(0.0..15.0);
+                        ego.speed += rng.random_range(0.0..3.0);
+                    }
+                    5 => ego.footprint.length = rng.random_range(3.0..12.0),
                     3 => current_latency = rng.random_range(0.02..0.5),
                     _ => {}
                 }

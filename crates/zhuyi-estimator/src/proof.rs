@@ -24,21 +24,22 @@
 //! having braked, others take their place: the real one stands by then too (tolerable), none (refused).
 //!
 //! Derivation. While both hold their accelerations the difference of two motions in speed is linear in time, so its largest value
-//! lies at an end, and standing does not add to it; between their reactions it changes by the acceleration of the one plus the braking of the other; from then on
-//! both brake alike, and it cannot change its sign any more. The first line then keeps the real motion behind the handicapped one up
-//! to that one's t_n, and at t_n no faster: what held there holds. The second keeps it ahead, and from the reaction on no slower: it
-//! comes into contact no later, and where it met the constraints before, the handicapped one would have; Eq. 1 counts from the
-//! ego's place at t_0, which moves on, hence the last term.
+//! lies at an end, and standing does not add to it; between their reactions it changes by the acceleration of the one plus the
+//! braking of the other; from then on both brake alike, and it cannot change its sign any more. The first line then keeps the real
+//! motion behind the handicapped one up to that one's t_n, and at t_n no faster: what held there holds. The second keeps it ahead,
+//! and from the reaction on no slower: it comes into contact no later, and where it met the constraints before, the handicapped one
+//! would have; Eq. 1 counts from the ego's place at t_0, which moves on, hence the last term.
 //!
-//! Who touches nobody in the whole horizon before an actor that leaves for ever is tolerable too, and stays so in the same way.
+//! Who touches nobody in the whole horizon before an actor that leaves for ever is tolerable too, and stays so in the same way. A
+//! refused one that comes to stand behind an actor that stands for ever gets no t_n any more.
 //!
-//! A proof is for an ego that brakes by the same b and keeps its offset, and for an actor
-//! with one stay in the corridor: one that overlaps sideways with the ego now, up to where it ceases to, or one that is still to
-//! enter, up to then and as long as the stay counts (reading R8). Everything else is asked step by step.
+//! A proof is for an ego that brakes by the same b, keeps its offset and does not go back, and for an actor with one stay in the corridor: one that
+//! overlaps sideways with the ego now, up to where it ceases to, or one that is still to enter, up to then and as long as the stay
+//! counts (reading R8). Everything else is asked step by step.
 
-use crate::conflict::{Lines, Zone};
 use zhuyi_core::Along;
 
+use crate::conflict::{Lines, Zone};
 use crate::constraints::TOLERANCE;
 use crate::ego_motion::{Start, braking_decel};
 use crate::encounter::{Delay, Encounter};
@@ -189,7 +190,8 @@ impl Proof {
         })
     }
 
-    /// Whether it holds, with the runs of pieces across that it was made with, for an ego that is at `s` [m] and in this motion at `now`, asked at this l_0.
+    /// Whether it holds, with the runs of pieces across that it was made with, for an ego that is at `s` [m] and in this motion at
+    /// `now`, asked at this l_0.
     #[inline]
     pub fn holds(
         &self,
@@ -207,6 +209,7 @@ impl Proof {
         let further = s - (self.s + since * (before.speed + since * (before.accel / 2.0)));
         let change = accel - before.accel;
         since >= 0.0
+            && s >= self.s
             && before.speed + before.accel * since >= 0.0
             && current_latency == self.current_latency
             && braking_decel(accel, params.c3, params.c4) == self.decel
@@ -225,7 +228,7 @@ impl Proof {
 impl Stay {
     fn of(encounter: &Encounter<'_>) -> Option<Self> {
         let corridor = encounter.corridor;
-        match corridor.view.only_stay()? {
+        match corridor.view.only_stay(&corridor.lines)? {
             OnlyStay::UnderWay(until) => Some(Self {
                 lines: corridor.lines,
                 until,
@@ -237,7 +240,7 @@ impl Stay {
                 counts.then(|| Self {
                     lines: corridor.lines,
                     until: encounter.datum.now + entry.start,
-                    limit: Some(corridor.actor_at(entry.start) + corridor.reach),
+                    limit: Some(corridor.actor_at(entry.start) + corridor.lines.reach),
                 })
             }
         }

@@ -9,7 +9,7 @@
 use std::sync::OnceLock;
 
 use crate::Future;
-use crate::conflict::Side;
+use crate::conflict::{Lines, Side};
 use crate::playback::Run;
 use zhuyi_core::{Across, Along, Trajectory};
 
@@ -152,23 +152,47 @@ impl<'a> View<'a> {
 
     /// The one stay in the corridor that is under way, with the bodies overlapping sideways, or still to come; none where there
     /// are more, or nobody has looked. From then on the actor stays for ever, or leaves for ever.
-    pub fn only_stay(&self) -> Option<OnlyStay> {
+    pub fn only_stay(&self, lines: &Lines) -> Option<OnlyStay> {
         let behind = self.runs.partition_point(|run| run.first <= self.first[1]);
         let (now, later) = self.runs.get(behind.checked_sub(1)?..)?.split_first()?;
-        let is_apart = |run: &&Run| run.side == Some(Side::Apart);
-        let mut left = later
-            .iter()
-            .skip_while(is_apart)
-            .skip_while(|run| !is_apart(run));
-        let mut gone = later.iter().skip_while(|run| !is_apart(run));
-        match now.side {
-            Some(Side::Overlap) if gone.all(|run| is_apart(&run)) => {
+        let begins = match now.side? {
+            Side::Overlap => true,
+            Side::Apart => false,
+            Side::Close => return None,
+        };
+        // How often it has entered or left.
+        let (mut inside, mut changes) = (begins, 0);
+        for run in later {
+            for ends_inside in self.ends_inside(run, lines)? {
+                changes += u32::from(ends_inside != inside);
+                inside = ends_inside;
+            }
+        }
+        match (begins, changes) {
+            (true, 0 | 1) => {
                 let next = later.first().map(|run| self.future.across[run.first].time);
                 Some(OnlyStay::UnderWay(next.unwrap_or(f64::INFINITY)))
             }
-            Some(Side::Apart) if left.all(|run| is_apart(&run)) => Some(OnlyStay::ToCome),
+            (false, 0..=2) => Some(OnlyStay::ToCome),
             _ => None,
         }
+    }
+
+    /// Whether the actor is in the corridor at the start and at the end of a run; none where that does not tell of all between.
+    fn ends_inside(&self, run: &Run, lines: &Lines) -> Option<[bool; 2]> {
+        if let Some(side) = run.side {
+            return Some([side != Side::Apart; 2]);
+        }
+        let (piece, next) = (
+            &self.future.across[run.first],
+            self.future.across.get(run.first + 1)?,
+        );
+        let end = piece.d + (next.time - piece.time) * piece.d_rate;
+        let offsets = [piece.d, end].map(|d| d - lines.ego);
+        let inside = offsets.map(|offset| offset.abs() < lines.lane);
+        // On its way from one side to the other it passes through.
+        let passes = inside == [false; 2] && (offsets[0] > 0.0) != (offsets[1] > 0.0);
+        (!passes).then_some(inside)
     }
 
     /// Whether a block across the road begins with this piece.

@@ -53,7 +53,7 @@ impl<'a> Told<'a> {
     pub fn ask(&mut self, row: &Row<'_>, covered: &Covered) -> bool {
         let (hindsight, evades) = (self.hindsight, self.hindsight.evades(self.estimator));
         let (ego, now) = (Ego::from(row.ego), row.time.seconds());
-        let actors = self.answers.chunks_exact_mut(self.latencies.len());
+        let actors = self.answers.chunks_exact_mut(self.latencies.len().max(1));
         let mut changed = false;
         for (actor, answers) in (0..).map(ActorId).zip(actors) {
             for (l_0, (playback, answer)) in self.latencies.iter().zip(answers) {
