@@ -14,6 +14,7 @@
 //! | question | ask |
 //! |---|---|
 //! | one actor, one future | [`Estimator::trajectory`], for recorded runs [`Estimator::recorded`] |
+//! | one recorded actor, step after step | [`Estimator::playback`] |
 //! | one actor, several futures with probabilities | [`Estimator::forecast`] |
 //! | all actors and cameras of a moment | [`Estimator::moment`] |
 //! | all cameras, with any other source of answers | [`Estimator::demands`], [`Estimator::demands_into`] |
@@ -71,6 +72,7 @@ mod estimator;
 mod exact;
 mod guess;
 mod judge;
+mod lines;
 mod proof;
 mod quadratic;
 mod stretch;

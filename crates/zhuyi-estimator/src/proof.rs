@@ -39,10 +39,11 @@
 
 use zhuyi_core::Along;
 
-use crate::conflict::{Lines, Zone};
+use crate::conflict::Zone;
 use crate::constraints::TOLERANCE;
 use crate::ego_motion::{Start, braking_decel};
 use crate::encounter::{Delay, Encounter};
+use crate::lines::Lines;
 use crate::recording::OnlyStay;
 use crate::{Criterion, Params, exact};
 

@@ -9,7 +9,7 @@
 use std::sync::OnceLock;
 
 use crate::Future;
-use crate::conflict::{Lines, Side};
+use crate::lines::{Lines, Side};
 use crate::playback::Run;
 use zhuyi_core::{Across, Along, Trajectory};
 

@@ -2,12 +2,13 @@
 //!
 //! ```text
 //!            ┌──────────────────────── Eyes ────────────────────────┐     ┌────────── Tracker ──────────┐
-//!  Scene ──▶ │ clock ── exposure ──▶ sight ──▶ stream ──▶ in flight │ ──▶ │ confirmation, loss ─ belief │ ──▶ Track
-//!  (truth)   │   ▲                 who is     noise,       latency  │Frame│ K and M frames      Kalman   │
+//!  Truth ──▶ │ clock ── exposure ──▶ sight ──▶ stream ──▶ in flight │ ──▶ │ confirmation, loss ─ belief │ ──▶ Track
+//!            │   ▲                 who is     noise,       latency  │Frame│ K and M frames      Kalman   │
 //!            └───┼─────────────────visible────misses────────────────┘     └─────────────────────────────┘
 //!            frame rates
 //! ```
 //!
+//! - [`truth`]: what it looks at.
 //! - [`clock`]: when a camera exposes (reading R15).
 //! - [`sight`]: what it can see from where it is (R17).
 //! - [`stream`]: what chance adds to that (R18).

@@ -5,8 +5,8 @@
 //!  script ──▶ [actors] ────────────┼─▶ Scene at any instant of the step ──▶ contact ──▶ crash
 //! ```
 //!
-//! [`World::step`] moves everything by one step; [`World::scene_at`] tells the truth at any instant within the last step,
-//! by the very motion of that step, so that a camera's exposure needs no rounding to steps.
+//! [`World::step`] moves everything by one step; [`World::scene_at`], or [`World::actor_at`] of one actor, tells the truth at any
+//! instant within the last step, by the very motion of that step, so that a camera's exposure needs no rounding to steps.
 
 pub mod actor;
 pub mod contact;
