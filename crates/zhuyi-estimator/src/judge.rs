@@ -47,7 +47,7 @@ impl Judge<'_> {
         with_time: Option<Found>,
     ) -> Found {
         if let Some(found) = with_time
-            && !self.jumps()
+            && !self.params.jumps()
         {
             return found;
         }
@@ -72,7 +72,7 @@ impl Judge<'_> {
 
     /// Whether one delay will do, and its t_n.
     fn tolerated(&self, delay: Delay) -> Option<Tolerated> {
-        if self.jumps() {
+        if self.params.jumps() {
             return paper::found_time(self.encounter, delay, self.params.max_steps)
                 .map(|t_n| Tolerated { t_n: Some(t_n) });
         }
@@ -86,11 +86,6 @@ impl Judge<'_> {
         (found.index == 0).then_some(Tolerated { t_n: found.t_n })
     }
 
-    /// Whether t_n is searched by jumps, which may miss it.
-    fn jumps(&self) -> bool {
-        self.params.jumps()
-    }
-
     /// What refuses a delay that is not tolerable; `None` if it leaves no time in the horizon at all, or if
     /// nothing does and the jumps missed every t_n.
     ///
@@ -101,7 +96,7 @@ impl Judge<'_> {
             return Some(Binding::PassThrough);
         }
         let horizon = encounter.corridor.horizon;
-        if reaction_time > horizon || (self.jumps() && self.exactly(delay).is_some()) {
+        if reaction_time > horizon || (self.params.jumps() && self.exactly(delay).is_some()) {
             return None;
         }
         let candidate = encounter.candidate(delay);

@@ -18,7 +18,7 @@ use crate::estimate::{State, Tolerance};
 use crate::lines::{Lines, Side};
 use crate::proof::Proof;
 use crate::recording::{Recording, View};
-use crate::{Ego, Estimate, Estimator, Future};
+use crate::{Ego, Estimator, Future};
 
 /// After how many questions a proof is tried again where there was none.
 const PAUSE: u32 = 4;
@@ -90,16 +90,6 @@ impl Estimator {
 }
 
 impl Playback<'_> {
-    /// As [`Estimator::recorded`].
-    pub fn estimate(&mut self, ego: &Ego, now: f64, current_latency: f64) -> Estimate {
-        let estimator = self.estimator;
-        let view = self.look(now, Lines::new(estimator.params(), ego, self.actor));
-        let (view, last) = (view.of(self.recording, &self.runs), self.last);
-        let answer = estimator.answer(ego, self.actor, &view, current_latency, last);
-        self.last = answer.place;
-        answer.estimate
-    }
-
     /// The tolerance of [`Estimator::recorded`], mostly by what has been proven before.
     #[inline]
     pub fn tolerance(&mut self, ego: &Ego, now: f64, current_latency: f64) -> Tolerance {

@@ -205,10 +205,13 @@ impl Proof {
     ) -> bool {
         let (since, before) = (now - self.now, self.held);
         let Start { speed, accel } = held;
-        // How much faster and further on it is than it was to be, and how its acceleration differs.
-        let faster = speed - (before.speed + before.accel * since);
-        let further = s - (self.s + since * (before.speed + since * (before.accel / 2.0)));
-        let change = accel - before.accel;
+        let strayed = Strayed {
+            since,
+            held,
+            faster: speed - (before.speed + before.accel * since),
+            further: s - (self.s + since * (before.speed + since * (before.accel / 2.0))),
+            change: accel - before.accel,
+        };
         since >= 0.0
             && s >= self.s
             && before.speed + before.accel * since >= 0.0
@@ -216,14 +219,25 @@ impl Proof {
             && braking_decel(accel, params.c3, params.c4) == self.decel
             && self.decel >= -accel
             && self.stay.holds(lines, s, held, now)
-            && self
-                .tolerable
-                .holds(self, since, held, (faster, further, change))
+            && self.tolerable.holds(self, &strayed)
             && self.refused.is_none_or(|refused| {
                 let needed = (1.0 - params.c1) * (s - self.s);
-                refused.holds(self, since, held, (faster, further - needed, change))
+                refused.holds(self, &strayed, needed)
             })
     }
+}
+
+/// How the ego has strayed from the motion that it was to keep.
+struct Strayed {
+    /// [s] Δ.
+    since: f64,
+    held: Start,
+    /// [m/s] u_0.
+    faster: f64,
+    /// [m] w.
+    further: f64,
+    /// [m/s2] a - a_0.
+    change: f64,
 }
 
 impl Stay {
@@ -265,44 +279,35 @@ impl Stay {
 
 impl Tolerable {
     #[inline]
-    fn holds(
-        &self,
-        proof: &Proof,
-        since: f64,
-        held: Start,
-        (faster, further, change): (f64, f64, f64),
-    ) -> bool {
-        let left = self.later - since;
-        let reacting = faster + change * self.reaction_time;
-        let most = larger(larger(faster, reacting), 0.0);
+    fn holds(&self, proof: &Proof, strayed: &Strayed) -> bool {
+        let left = self.later - strayed.since;
+        let reacting = strayed.faster + strayed.change * self.reaction_time;
+        let most = larger(larger(strayed.faster, reacting), 0.0);
         let reaction_time = self.reaction_time + self.later;
         let in_order = if proof.held.speed + proof.held.accel * reaction_time > 0.0 {
             reacting + GUARD <= (proof.held.accel + proof.decel) * left
         } else {
-            held.speed + held.accel * (self.reaction_time + left) + GUARD <= 0.0
+            let Start { speed, accel } = strayed.held;
+            speed + accel * (self.reaction_time + left) + GUARD <= 0.0
         };
-        left >= 0.0 && in_order && further + reaction_time * most + GUARD <= self.handicap
+        left >= 0.0 && in_order && strayed.further + reaction_time * most + GUARD <= self.handicap
     }
 }
 
 impl Refused {
+    /// `needed` [m]: by how much it must be ahead, as Eq. 1 counts from a place that moves on.
     #[inline]
-    fn holds(
-        &self,
-        proof: &Proof,
-        since: f64,
-        held: Start,
-        (faster, further, change): (f64, f64, f64),
-    ) -> bool {
-        let first = self.reaction_time - self.sooner;
-        let reacting = faster + change * (first - since);
-        let least = larger(larger(-faster, -reacting), 0.0);
+    fn holds(&self, proof: &Proof, strayed: &Strayed, needed: f64) -> bool {
+        let (since, first) = (strayed.since, self.reaction_time - self.sooner);
+        let reacting = strayed.faster + strayed.change * (first - since);
+        let least = larger(larger(-strayed.faster, -reacting), 0.0);
+        let ahead = strayed.further - needed;
         let in_order = proof.held.speed + proof.held.accel * first <= 0.0
-            || reacting >= GUARD - (held.accel + proof.decel) * (self.sooner + since);
+            || reacting >= GUARD - (strayed.held.accel + proof.decel) * (self.sooner + since);
         since <= self.contact
             && since <= first
             && in_order
-            && self.handicap + further - (self.reaction_time + since) * least >= GUARD + TOLERANCE
+            && self.handicap + ahead - (self.reaction_time + since) * least >= GUARD + TOLERANCE
     }
 }
 
