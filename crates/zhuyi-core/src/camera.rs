@@ -1,6 +1,5 @@
 //! Cameras as geometry: where each looks, and how often. What it makes of what it sees is perception's business.
 
-use crate::geometry::sin_cos;
 use crate::{Axes, Body, Footprint, Point, Pose};
 
 /// A camera of the rig: its place in the rig's list, from 0.
@@ -87,17 +86,13 @@ pub struct Sector {
 impl Sector {
     /// The sector of a camera at `pose` (from [`Camera::pose`]).
     pub fn new(camera: &Camera, pose: Pose) -> Self {
-        let (sin, cos) = sin_cos(pose.heading);
-        let (s, c) = (camera.fov / 2.0).sin_cos();
+        let (eye, half) = (Axes::new(pose), (camera.fov / 2.0).sin_cos());
         Self {
             eye: pose.point(),
-            axis: (cos, sin),
-            edge: c,
-            borders: [
-                (cos * c + sin * s, sin * c - cos * s),
-                (cos * c - sin * s, sin * c + cos * s),
-            ],
-            narrow: c > CLEARANCE,
+            axis: (eye.cos, eye.sin),
+            edge: half.1,
+            borders: eye.borders(half),
+            narrow: half.1 >= 0.0,
             range: camera.range,
         }
     }

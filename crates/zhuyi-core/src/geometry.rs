@@ -57,6 +57,12 @@ impl Pose {
     }
 }
 
+impl Default for Axes {
+    fn default() -> Self {
+        Self::new(Pose::default())
+    }
+}
+
 /// A pose with the sine and cosine of its heading, for many points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axes {
@@ -83,6 +89,22 @@ impl Axes {
             pose.x + forward * cos - left * sin,
             pose.y + forward * sin + left * cos,
         )
+    }
+
+    /// Unit vectors turned by an angle to the right and to the left of the heading, given its sine and cosine: the borders of a
+    /// field of view of twice that angle.
+    #[inline]
+    pub fn borders(&self, (sin, cos): (f64, f64)) -> [(f64, f64); 2] {
+        [
+            (
+                self.cos * cos + self.sin * sin,
+                self.sin * cos - self.cos * sin,
+            ),
+            (
+                self.cos * cos - self.sin * sin,
+                self.sin * cos + self.cos * sin,
+            ),
+        ]
     }
 
     /// As [`Pose::local`].

@@ -71,7 +71,7 @@ impl<'a> Corridor<'a> {
 
     /// The one relation of an actor that has no other from t_0 on; none where more than its last piece is to be looked at.
     #[inline]
-    pub fn only_side(&self) -> Option<Side> {
+    fn only_side(&self) -> Option<Side> {
         let (across, [_, first]) = (self.view.future.across, self.view.first);
         if let Some((side, next)) = self.view.side_of(first) {
             return (next == across.len()).then_some(side);
@@ -292,12 +292,12 @@ pub(crate) struct Spans {
 impl Spans {
     /// `None` where there is no conflict time.
     pub fn new(corridor: &Corridor<'_>) -> Option<Self> {
+        let mut walk = Walk::new(corridor);
         if corridor.horizon > 0.0
             && let Some(side) = corridor.only_side()
         {
-            return Self::of_one_side(corridor, side);
+            return Self::of_one(walk.judge(corridor, 0.0, corridor.horizon, side));
         }
-        let mut walk = Walk::new(corridor);
         let span = walk.next(corridor)?;
         if walk.pending.is_none() {
             return Self::of_one(span);
@@ -316,28 +316,6 @@ impl Spans {
             }
         }
         Some(spans)
-    }
-
-    /// One side for the whole horizon: at most one stay.
-    #[inline]
-    fn of_one_side(corridor: &Corridor<'_>, side: Side) -> Option<Self> {
-        let zone = match side {
-            Side::Apart => return None,
-            Side::Close => Zone::Close,
-            Side::Overlap => Zone::Overlap,
-        };
-        let (ahead, reach) = (corridor.ahead(0.0), corridor.lines.reach);
-        let stay = Span {
-            start: 0.0,
-            end: corridor.horizon,
-            zone,
-            abreast: ahead < reach,
-        };
-        (ahead >= -reach).then_some(Self {
-            first: [stay; KEPT],
-            len: 1,
-            rest: None,
-        })
     }
 
     /// What comes before the first conflict is one span, so a future without conflict has no second one.

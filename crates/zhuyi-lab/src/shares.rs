@@ -12,6 +12,7 @@ use zhuyi_sim::Draws;
 
 use crate::evidence::Evidence;
 use crate::mrf::{Mrf, Required, required};
+use crate::parallel::one_by_one;
 use crate::progress::Progress;
 use crate::rates::uniform;
 use crate::statistics::wilson_interval;
@@ -80,8 +81,7 @@ impl Trials {
         let cells: Vec<(usize, u32)> = places
             .flat_map(|place| rates.iter().map(move |rate| (place, *rate)))
             .collect();
-        let shares: Vec<Share> = cells
-            .par_iter()
+        let shares: Vec<Share> = one_by_one(&cells)
             .map(|(place, rate)| self.share(experiment, *place, *rate, progress))
             .collect();
         shares.chunks(rates.len()).map(<[Share]>::to_vec).collect()

@@ -33,9 +33,7 @@ pub fn visible_share(camera: &Camera, scene: &Scene, actor: ActorId) -> f64 {
 /// What lies before a camera. Kept and looked through again, it allocates nothing.
 #[derive(Clone, Debug, Default)]
 pub struct View {
-    eye: Pose,
-    /// Cosine and sine of its heading; none before the first look.
-    direction: Option<(f64, f64)>,
+    eye: Axes,
     fov: f64,
     /// Sine and cosine of half of it.
     half_fov: (f64, f64),
@@ -86,14 +84,13 @@ impl View {
         }
         let pose = camera.pose(ego);
         // On a straight road the heading stays.
-        let kept = self.direction.filter(|_| pose.heading == self.eye.heading);
-        let (cos, sin) = kept.unwrap_or_else(|| {
-            let Axes { cos, sin, .. } = Axes::new(pose);
-            (cos, sin)
-        });
-        (self.eye, self.direction) = (pose, Some((cos, sin)));
+        self.eye = if pose.heading == self.eye.pose.heading {
+            Axes { pose, ..self.eye }
+        } else {
+            Axes::new(pose)
+        };
         self.range = camera.range;
-        self.field = Field::new(&Axes { pose, cos, sin }, self.half_fov);
+        self.field = Field::new(&self.eye, self.half_fov);
     }
 
     /// Whether a box that nobody stands before is in range and at least `least_share` of it is visible from where it has
@@ -104,11 +101,11 @@ impl View {
         pose: Pose,
         least_share: f64,
     ) -> bool {
-        if self.field.misses_box(footprint, pose.point(), 0.0) {
+        let alone = self.field.silhouette(footprint, pose);
+        if matches!(alone, Silhouette::OutOfView) {
             return false;
         }
-        let alone = [self.field.silhouette(footprint, pose)];
-        silhouette::sees(&alone, 0, self.range, least_share).unwrap_or_else(|| {
+        silhouette::sees(&[alone], 0, self.range, least_share).unwrap_or_else(|| {
             self.find([Some((footprint, pose))]);
             self.sees_by_angles(0, least_share)
         })
@@ -163,7 +160,7 @@ impl View {
         let Some((footprint, pose)) = self.boxes[which] else {
             unreachable!("nobody asks for the outline of a box out of view")
         };
-        let outline = Outline::new(self.eye, footprint, pose);
+        let outline = Outline::new(self.eye.pose, footprint, pose);
         self.outlines.push((which, outline));
         outline
     }

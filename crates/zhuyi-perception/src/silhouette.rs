@@ -33,12 +33,13 @@ pub(crate) struct Field {
 
 impl Field {
     /// A field whose half has this sine and cosine, for an eye with these axes.
-    pub fn new(eye: &Axes, (sin, cos): (f64, f64)) -> Self {
+    pub fn new(eye: &Axes, half: (f64, f64)) -> Self {
+        let [right, left] = eye.borders(half);
         Self {
             eye: eye.pose.point(),
-            right: (eye.cos * cos + eye.sin * sin, eye.sin * cos - eye.cos * sin),
-            left: (eye.cos * cos - eye.sin * sin, eye.sin * cos + eye.cos * sin),
-            narrow: cos > MARGIN,
+            right,
+            left,
+            narrow: half.1 > MARGIN,
         }
     }
 
@@ -70,15 +71,21 @@ impl Field {
     }
 
     /// A box as this eye sees it.
+    #[inline]
     pub fn silhouette(&self, footprint: Footprint, pose: Pose) -> Silhouette {
+        if !self.narrow {
+            Silhouette::Open
+        } else if self.misses_box(footprint, pose.point(), 0.0) {
+            Silhouette::OutOfView
+        } else {
+            self.silhouette_near(footprint, pose)
+        }
+    }
+
+    /// The same of a box that may be in a narrow field.
+    fn silhouette_near(&self, footprint: Footprint, pose: Pose) -> Silhouette {
         let centre = (pose.x - self.eye.x, pose.y - self.eye.y);
         let half = (footprint.length / 2.0, footprint.width / 2.0);
-        if !self.narrow {
-            return Silhouette::Open;
-        }
-        if self.misses(centre, half.0 + half.1) {
-            return Silhouette::OutOfView;
-        }
         let axes = Axes::new(pose);
         let (along, across) = (
             (half.0 * axes.cos, half.0 * axes.sin),
