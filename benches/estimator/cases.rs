@@ -64,6 +64,7 @@ fn steady(gap: f64, speed: f64, d: f64) -> Trajectory {
     Trajectory {
         along: vec![Along::constant_accel(0.0, gap + CAR.length, speed, 0.0)],
         across: lane(d),
+        extents: Vec::new(),
         known_until: 20.0,
     }
 }
@@ -79,6 +80,7 @@ fn braking(gap: f64, speed: f64, decel: f64) -> Trajectory {
     Trajectory {
         along,
         across: lane(0.0),
+        extents: Vec::new(),
         known_until: 20.0,
     }
 }

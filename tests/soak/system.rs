@@ -11,11 +11,12 @@ const SOME: (f64, f64) = (0.001, 1.0);
 const ACCEL: (f64, f64) = (0.001, 20.0);
 
 /// The numbers.
-const NUMBERS: [Number; 49] = [
+const NUMBERS: [Number; 50] = [
     ("perception.visible_share", (0.1, 0.9), (0.0, 1.0)),
     ("perception.noise_along_m", (0.0, 1.0), (0.0, 10.0)),
     ("perception.noise_across_m", (0.0, 0.5), (0.0, 10.0)),
     ("perception.noise_speed_mps", (0.0, 1.0), (0.0, 10.0)),
+    ("perception.noise_heading_rad", (0.0, 0.1), (0.0, 1.0)),
     ("perception.miss_rate", (0.0, 0.3), (0.0, 1.0)),
     ("perception.phase_share", (0.0, 1.0), (0.0, 1.0)),
     (

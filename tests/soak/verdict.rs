@@ -307,6 +307,11 @@ fn hand_gaps_of_two_boxes() {
         },
         road: Frenet { s: x, d: y },
         pose: Pose::new(x, y, heading),
+        turn: 0.0,
+        extent: Footprint {
+            length: 4.0,
+            width: 2.0,
+        },
         speed: 0.0,
         accel: 0.0,
         s_rate: 0.0,

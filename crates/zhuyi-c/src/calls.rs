@@ -138,6 +138,7 @@ pub unsafe extern "C" fn zhuyi_estimate_trajectory(
             let future = zhuyi_estimator::Future {
                 along: pieces.along,
                 across: pieces.across,
+                extents: &[],
                 known_until: pieces.known_until,
                 now: number(now)?,
             };

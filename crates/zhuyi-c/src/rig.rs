@@ -89,6 +89,8 @@ impl Actor {
             footprint: forecast.footprint,
             road: Frenet { s: 0.0, d: 0.0 },
             pose: self.pose.meant()?,
+            turn: 0.0,
+            extent: forecast.footprint,
             speed: 0.0,
             accel: 0.0,
             s_rate: 0.0,

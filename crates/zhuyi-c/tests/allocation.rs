@@ -139,6 +139,8 @@ fn law_phantoms_allocate_nothing() {
         footprint,
         road: Frenet { s, d },
         pose: Pose::new(s, d, 0.0),
+        turn: 0.0,
+        extent: footprint,
         speed: 20.0,
         accel: 0.0,
         s_rate: 20.0,

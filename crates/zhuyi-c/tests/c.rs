@@ -125,6 +125,7 @@ fn expected() -> Vec<f64> {
             Along::constant_accel(2.5, 69.5, 0.0, 0.0),
         ],
         across: still(0.0),
+        extents: Vec::new(),
         known_until: 20.0,
     };
     let sample = |time: f64, s: f64, d: f64, v: f64| Sample { time, s, d, v };
@@ -156,6 +157,8 @@ fn expected() -> Vec<f64> {
         footprint: CAR,
         road: Frenet { s, d },
         pose: Pose::new(s, d, 0.0),
+        turn: 0.0,
+        extent: CAR,
         speed: 0.0,
         accel: 0.0,
         s_rate: 0.0,

@@ -1,8 +1,9 @@
 //! Where an actor may go: trajectories in pieces, along and across the road.
 //!
-//! A trajectory is two independent lists of pieces in the time of the forecast. Along the road each piece is a
-//! quadratic in `s` with a speed that is linear in time; across it a line in `d`. A sampled future with linear
-//! interpolation (reading R10) and an integrator's own steps of constant acceleration are both exactly that.
+//! A trajectory is three independent lists of pieces in the time of the forecast. Along the road each piece is a
+//! quadratic in `s` with a speed that is linear in time; across it a line in `d`; the half extents of a box that turns
+//! against the road are lines too. A sampled future with linear interpolation (reading R10) and an integrator's own
+//! steps of constant acceleration are both exactly that.
 
 use crate::{ActorId, Footprint};
 
@@ -60,13 +61,58 @@ pub struct Across {
     pub d_rate: f64,
 }
 
-/// One future of one actor. Both lists are sorted by time and not empty; the last piece goes on for ever.
+/// Half extents along and across the road of a box as it stands, from `time` until the next piece starts (reading R7).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extent {
+    /// [s] start of the piece.
+    pub time: f64,
+    /// [m] half extent along the road at its start.
+    pub along: f64,
+    /// [m/s] rate of change of `along`.
+    pub along_rate: f64,
+    /// [m] half extent across the road at its start.
+    pub across: f64,
+    /// [m/s] rate of change of `across`.
+    pub across_rate: f64,
+}
+
+impl Extent {
+    /// The half extents of a box that keeps standing as it does: `footprint` [turned](Footprint::turned) by its heading.
+    pub fn held(extent: Footprint) -> Self {
+        Self {
+            time: 0.0,
+            along: extent.length / 2.0,
+            along_rate: 0.0,
+            across: extent.width / 2.0,
+            across_rate: 0.0,
+        }
+    }
+
+    /// Whether the box stands as it does while the piece lasts.
+    pub fn is_at_rest(&self) -> bool {
+        self.along_rate == 0.0 && self.across_rate == 0.0
+    }
+
+    /// [m] half extents along and across at `time`.
+    #[inline]
+    pub fn at(&self, time: f64) -> (f64, f64) {
+        let x = time - self.time;
+        (
+            self.along + x * self.along_rate,
+            self.across + x * self.across_rate,
+        )
+    }
+}
+
+/// One future of one actor. Each list is sorted by time, its last piece goes on for ever; those of motion are not empty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trajectory {
     /// Motion along the road.
     pub along: Vec<Along>,
     /// Motion across the road.
     pub across: Vec<Across>,
+    /// Half extents of the box as it stands; empty where it keeps aligned with the road.
+    pub extents: Vec<Extent>,
     /// [s] time from which on the future is extrapolated rather than predicted or recorded.
     pub known_until: f64,
 }

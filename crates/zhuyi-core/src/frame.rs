@@ -10,6 +10,8 @@ pub struct Detection {
     pub actor: ActorId,
     /// Measured centre at the exposure.
     pub road: Frenet,
+    /// [rad] measured heading against the road.
+    pub turn: f64,
     /// [m/s] measured rate of change of `s`.
     pub s_rate: f64,
     /// [m/s] measured rate of change of `d`.

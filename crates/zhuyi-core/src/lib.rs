@@ -25,7 +25,7 @@ pub mod track;
 
 pub use camera::{Camera, CameraId, FrameRates, Sector};
 pub use command::{Command, Manoeuvre};
-pub use forecast::{Across, Along, Forecast, Trajectory};
+pub use forecast::{Across, Along, Extent, Forecast, Trajectory};
 pub use frame::{Detection, Frame};
 pub use geometry::{Axes, Footprint, Point, Pose};
 pub use lane_change::{LaneChange, Lateral};

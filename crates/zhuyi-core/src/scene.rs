@@ -22,6 +22,10 @@ pub struct Body {
     pub road: Frenet,
     /// Centre and heading of the box in the world.
     pub pose: Pose,
+    /// [rad] heading of the box against the road at `road.s`, counter-clockwise.
+    pub turn: f64,
+    /// The box as it stands on the road: its extents along and across it, [`Footprint::turned`] by `turn`.
+    pub extent: Footprint,
     /// [m/s] speed, never negative.
     pub speed: f64,
     /// [m/s2] rate of change of the speed.
@@ -33,14 +37,36 @@ pub struct Body {
 }
 
 impl Body {
-    /// [m] the `s` of the front bumper of a body that is aligned with the road.
+    /// [m] the `s` of its foremost edge.
+    #[inline]
     pub fn front(&self) -> f64 {
-        self.road.s + self.footprint.length / 2.0
+        self.road.s + self.extent.length / 2.0
     }
 
-    /// [m] the `s` of the rear bumper of a body that is aligned with the road.
+    /// [m] the `s` of its rearmost edge.
+    #[inline]
     pub fn rear(&self) -> f64 {
-        self.road.s - self.footprint.length / 2.0
+        self.road.s - self.extent.length / 2.0
+    }
+
+    /// Returns whether it and `other` overlap side to side.
+    ///
+    /// A lorry of 12 m x 2.5 m that stands across the road reaches 6 m to each side of its centre.
+    /// ```
+    /// # use zhuyi_core::{Body, Footprint, Frenet, Pose};
+    /// let car = Footprint { length: 4.0, width: 2.0 };
+    /// let body = |footprint: Footprint, s: f64, d: f64, turn: f64| Body {
+    ///     footprint, road: Frenet { s, d }, pose: Pose::new(s, d, turn), turn, extent: footprint.turned(turn),
+    ///     speed: 0.0, accel: 0.0, s_rate: 0.0, d_rate: 0.0,
+    /// };
+    /// let (ego, lorry) = (body(car, 0.0, 0.0, 0.0), Footprint { length: 12.0, width: 2.5 });
+    /// let across = body(lorry, 50.0, 6.0, std::f64::consts::FRAC_PI_2);
+    /// assert!(across.overlaps_sideways(&ego) && !body(lorry, 50.0, 6.0, 0.0).overlaps_sideways(&ego));
+    /// assert!((across.rear() - ego.front() - 46.75).abs() < 1e-9);
+    /// ```
+    #[inline]
+    pub fn overlaps_sideways(&self, other: &Self) -> bool {
+        (self.road.d - other.road.d).abs() < self.extent.half_widths(other.extent)
     }
 }
 

@@ -19,6 +19,7 @@
 use crate::ego_motion::Start;
 use crate::lines::{Lines, Side};
 use crate::recording::View;
+use crate::swing::{Swing, first_box};
 use crate::{Ego, Params};
 use zhuyi_core::Footprint;
 
@@ -54,6 +55,8 @@ pub(crate) struct Corridor<'a> {
     /// [m] `s` of the ego's centre at t_0.
     pub ego: f64,
     pub lines: Lines,
+    /// How the actor's box turns; none where it stands as at first.
+    pub swing: Option<Swing<'a>>,
     pub horizon: f64,
 }
 
@@ -64,7 +67,8 @@ impl<'a> Corridor<'a> {
             view,
             held: Start::new(ego.speed, ego.accel),
             ego: ego.s,
-            lines: Lines::new(params, ego, actor),
+            lines: Lines::new(params, ego, first_box(actor, view.future.extents)),
+            swing: Swing::of(&view.future),
             horizon: params.horizon,
         }
     }
@@ -77,7 +81,9 @@ impl<'a> Corridor<'a> {
             return (next == across.len()).then_some(side);
         }
         match &across[first..] {
-            [piece] if piece.d_rate == 0.0 => Some(self.lines.side_at(piece.d - self.lines.ego)),
+            [piece] if piece.d_rate == 0.0 && self.swing.is_none() => {
+                Some(self.lines.side_at(self.lines.edges(piece.d, 0.0)))
+            }
             _ => None,
         }
     }
@@ -119,6 +125,11 @@ impl<'a> Corridor<'a> {
         self.actor_at(time) - self.ego - self.held.distance(time)
     }
 
+    /// [m] by how much the actor's front and rear stand further out than at first.
+    pub fn grown_along(&self, time: f64) -> f64 {
+        self.swing.map_or(0.0, |swing| swing.at(time).along)
+    }
+
     /// [m] `s` of the actor's centre.
     pub fn actor_at(&self, time: f64) -> f64 {
         let future = &self.view.future;
@@ -132,6 +143,8 @@ impl<'a> Corridor<'a> {
 struct Walk {
     time: f64,
     index: usize,
+    /// The piece of the half extents.
+    extent: usize,
     /// The stay under way: whether it counts.
     stay: Option<bool>,
     conflict_seen: bool,
@@ -143,6 +156,7 @@ impl Walk {
         Self {
             time: 0.0,
             index: corridor.view.first[1],
+            extent: corridor.swing.map_or(0, |swing| swing.index(0.0)),
             stay: None,
             conflict_seen: false,
             pending: None,
@@ -163,19 +177,9 @@ impl Walk {
             ego, body, lane, ..
         } = corridor.lines;
         for (block, next) in view.across_blocks(self.index, self.time) {
-            let (right, left, end) = (
-                block.d_min - ego,
-                block.d_max - ego,
-                (block.end - view.future.now).min(horizon),
-            );
-            if right >= lane || left <= -lane {
-                return (Side::Apart, end, next);
-            }
-            if right > -body && left < body {
-                return (Side::Overlap, end, next);
-            }
-            if (right >= body && left < lane) || (left <= -body && right > -lane) {
-                return (Side::Close, end, next);
+            if let Some(side) = corridor.lines.side_over(block) {
+                let end = (block.end - view.future.now).min(horizon);
+                return (side, end, next);
             }
         }
         let (piece, now) = (&view.future.across[self.index], view.future.now);
@@ -202,7 +206,8 @@ impl Walk {
             return (Side::Overlap, end, following);
         }
         if piece.d_rate == 0.0 || here == there {
-            return (corridor.lines.side_at(here), end, following);
+            let edges = corridor.lines.edges(piece.d, 0.0);
+            return (corridor.lines.side_at(edges), end, following);
         }
         // Seen in the direction of its motion, the actor crosses these four lines one after the other.
         let lines = [
@@ -224,10 +229,74 @@ impl Walk {
         (Side::Apart, end, following)
     }
 
+    /// The same of an actor whose box turns; goes on to the next piece of its half extents where one ends first.
+    fn side_of_turning(&mut self, corridor: &Corridor<'_>, swing: Swing<'_>) -> (Side, f64, usize) {
+        let (view, horizon, lines) = (corridor.view, corridor.horizon, &corridor.lines);
+        let (across, now) = (view.future.across, view.future.now);
+        let run = view.side_of(self.index).map(|(side, next)| {
+            let end = across
+                .get(next)
+                .map_or(f64::INFINITY, |next| next.time - now);
+            (side, end, next.min(across.len() - 1))
+        });
+        let block = || {
+            let mut blocks = view.across_blocks(self.index, self.time);
+            blocks.find_map(|(block, next)| Some((lines.side_over(block)?, block.end - now, next)))
+        };
+        if let Some((side, end, next)) = run.or_else(block) {
+            let end = end.min(horizon);
+            while swing.end(self.extent) <= end {
+                self.extent += 1;
+            }
+            return (side, end, next);
+        }
+        let (piece, extent_end) = (&across[self.index], swing.end(self.extent));
+        let next = across.get(self.index + 1);
+        let piece_end = next.map_or(horizon, |next| (next.time - now).min(horizon));
+        let end = piece_end.min(extent_end);
+        let edges = |time: f64| {
+            let d = piece.d + (time + now - piece.time) * piece.d_rate;
+            lines.edges(d, swing.on(self.extent, time).across)
+        };
+        let (here, there) = (edges(self.time), edges(end));
+        // Each edge goes straight: the relation changes where one of them crosses a line.
+        let mut crossing = end;
+        for (from, to, sign) in [
+            (here.right, there.right, 1.0),
+            (here.left, there.left, -1.0),
+        ] {
+            for line in [lines.body, lines.lane] {
+                let line = sign * line;
+                if (from < line) != (to < line) {
+                    let time = self.time + (end - self.time) * ((line - from) / (to - from));
+                    if time > self.time && time < crossing {
+                        crossing = time;
+                    }
+                }
+            }
+        }
+        let side = lines.side_at(edges(f64::midpoint(self.time, crossing)));
+        if crossing < end {
+            return (side, crossing, self.index);
+        }
+        if extent_end <= end {
+            self.extent += 1;
+        }
+        let following = if next.is_some() && piece_end <= end {
+            self.index + 1
+        } else {
+            self.index
+        };
+        (side, end, following)
+    }
+
     /// The next stretch of one relation within one piece or block.
     fn step(&mut self, corridor: &Corridor<'_>) -> Option<Span> {
         while self.time < corridor.horizon {
-            let (start, (side, end, next)) = (self.time, self.side(corridor));
+            let (start, (side, end, next)) = match &corridor.swing {
+                None => (self.time, self.side(corridor)),
+                Some(swing) => (self.time, self.side_of_turning(corridor, *swing)),
+            };
             self.index = next;
             if end > start {
                 self.time = end;
@@ -244,6 +313,7 @@ impl Walk {
             self.stay = None;
         } else if self.stay.is_none() {
             let (ahead, reach) = (corridor.ahead(start), corridor.lines.reach);
+            let reach = reach + corridor.grown_along(start);
             let counts = ahead >= -reach;
             abreast = counts && ahead < reach;
             self.conflict_seen |= counts;

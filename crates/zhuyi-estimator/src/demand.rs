@@ -59,7 +59,7 @@ impl Estimator {
     /// let rig = [&front, &rear].map(|camera| Watch { camera, current_latency: 1.0 / 30.0 });
     /// let car = Body {
     ///     footprint: Footprint { length: 4.0, width: 2.0 }, road: Frenet { s: 30.0, d: 0.0 },
-    ///     pose: Pose::new(30.0, 0.0, 0.0), speed: 0.0, accel: 0.0, s_rate: 0.0, d_rate: 0.0,
+    ///     pose: Pose::new(30.0, 0.0, 0.0), turn: 0.0, extent: Footprint { length: 4.0, width: 2.0 }, speed: 0.0, accel: 0.0, s_rate: 0.0, d_rate: 0.0,
     /// };
     /// let answer =
     ///     Estimate { state: State::Tolerable, latency: Some(0.25), t_n: None, binding: None, extrapolated: 0.0 };
@@ -218,6 +218,8 @@ mod tests {
             footprint,
             road,
             pose,
+            turn: 0.0,
+            extent: footprint,
             speed: 0.0,
             accel: 0.0,
             s_rate: 0.0,

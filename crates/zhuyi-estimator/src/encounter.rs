@@ -94,14 +94,11 @@ impl<'a> Encounter<'a> {
 
     /// Gap s and the actor's speed v_a at a time.
     pub fn actor(&self, time: f64) -> (f64, f64) {
-        self.actor_on(self.corridor.view.along_index(time), time)
-    }
-
-    /// The same by a piece.
-    fn actor_on(&self, index: usize, time: f64) -> (f64, f64) {
         let future = &self.corridor.view.future;
+        let index = self.corridor.view.along_index(time);
         let (piece, at) = (&future.along[index], time + future.now);
-        (piece.s_at(at) - self.datum.origin, piece.v_at(at))
+        let rear = piece.s_at(at) - self.corridor.grown_along(time);
+        (rear - self.datum.origin, piece.v_at(at))
     }
 
     /// Whether a candidate meets both constraints at the end of the horizon, contact or not.
@@ -110,7 +107,9 @@ impl<'a> Encounter<'a> {
         // As in the walk, the end belongs to the piece that leads up to it.
         let before = |piece: &Along| piece.time - future.now < end;
         let index = future.along.partition_point(before).saturating_sub(1);
-        let (gap, actor_speed) = self.actor_on(index, end);
+        let (piece, at) = (&future.along[index], end + future.now);
+        let grown = (self.corridor.swing).map_or(0.0, |swing| swing.before(end).along);
+        let (gap, actor_speed) = (piece.s_at(at) - grown - self.datum.origin, piece.v_at(at));
         let (phase, _) = candidate.motion.phase_and_end(end);
         let Margins { c1, c2 } = self.margins;
         distance_slack(c1, gap, phase.distance_at(end)) >= -TOLERANCE

@@ -77,7 +77,7 @@ impl Estimator {
     /// let ego = Ego { s: 0.0, d: 0.0, speed: 10.0, accel: 0.0, footprint: car };
     /// let along = [Along::constant_accel(0.0, 54.0, 0.0, 0.0)];
     /// let across = [Across { time: 0.0, d: 0.0, d_rate: 0.0 }];
-    /// let future = Future { along: &along, across: &across, known_until: 20.0, now: 0.0 };
+    /// let future = Future { along: &along, across: &across, extents: &[], known_until: 20.0, now: 0.0 };
     ///
     /// let estimate = Estimator::new(Params::default()).trajectory(&ego, car, &future, 1.0 / 30.0);
     /// assert_eq!((estimate.state, estimate.latency), (State::Tolerable, Some(0.604)));
@@ -104,7 +104,7 @@ impl Estimator {
     /// # let mut ego = Ego { s: 0.0, d: 0.0, speed: 10.0, accel: 0.0, footprint: car };
     /// # let along = [Along::constant_accel(0.0, 54.0, 0.0, 0.0)];
     /// # let across = [Across { time: 0.0, d: 0.0, d_rate: 0.0 }];
-    /// # let future = Future { along: &along, across: &across, known_until: 20.0, now: 0.0 };
+    /// # let future = Future { along: &along, across: &across, extents: &[], known_until: 20.0, now: 0.0 };
     /// # let estimator = Estimator::new(Params::default());
     /// let before = estimator.trajectory(&ego, car, &future, 1.0 / 30.0);
     /// ego.s += 0.1;

@@ -158,7 +158,7 @@ impl Estimator {
     /// let ego = Ego { s: 0.0, d: 0.0, speed: 20.0, accel: 0.0, footprint: car };
     /// let along = [Along::constant_accel(0.0, 54.0, 0.0, 0.0)];
     /// let across = [Across { time: 0.0, d: 0.0, d_rate: 0.0 }];
-    /// let future = Future { along: &along, across: &across, known_until: 20.0, now: 0.0 };
+    /// let future = Future { along: &along, across: &across, extents: &[], known_until: 20.0, now: 0.0 };
     /// let params = Params { evasion: Some(Evasion::default()), ..Params::default() };
     /// let estimator = Estimator::new(params);
     /// let ask = |sides: Sides| estimator.evading(&ego, car, &future, sides, 1.0 / 30.0);

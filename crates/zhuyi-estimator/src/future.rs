@@ -4,7 +4,7 @@
 //! crate count from t_0. Before the first piece it is extended backwards, after the last one it goes on for ever.
 //! Lists should be as short as exactness allows: a long stretch of one acceleration is one piece.
 
-use zhuyi_core::{Across, Along, Trajectory};
+use zhuyi_core::{Across, Along, Extent, Trajectory};
 
 /// A trajectory of an actor, seen from one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +13,8 @@ pub struct Future<'a> {
     pub along: &'a [Along],
     /// Motion across the road, sorted by time, not empty.
     pub across: &'a [Across],
+    /// Half extents of the box as it stands, sorted by time; empty where it keeps aligned with the path.
+    pub extents: &'a [Extent],
     /// [s] time on the lists' clock from which on the future is extrapolated.
     pub known_until: f64,
     /// [s] time on the lists' clock that is t_0.
@@ -40,6 +42,7 @@ impl<'a> Future<'a> {
         Self {
             along: &trajectory.along,
             across: &trajectory.across,
+            extents: &trajectory.extents,
             known_until: trajectory.known_until,
             now,
         }
@@ -52,7 +55,7 @@ impl<'a> Future<'a> {
     /// use zhuyi_estimator::Future;
     /// let along = [Along::constant_accel(0.0, 50.0, 10.0, 0.0)];
     /// let across = [Across { time: 0.0, d: 0.0, d_rate: 0.0 }];
-    /// let future = Future { along: &along, across: &across, known_until: 12.0, now: 5.0 };
+    /// let future = Future { along: &along, across: &across, extents: &[], known_until: 12.0, now: 5.0 };
     /// assert_eq!(future.extrapolated(20.0), 13.0);
     /// ```
     pub fn extrapolated(&self, horizon: f64) -> f64 {
@@ -67,7 +70,7 @@ impl<'a> Future<'a> {
     /// use zhuyi_estimator::Future;
     /// let along = [Along::constant_accel(0.0, 50.0, 10.0, -3.0)];
     /// let across = [Across { time: 0.0, d: 3.5, d_rate: -0.5 }];
-    /// let start = Future { along: &along, across: &across, known_until: 12.0, now: 2.0 }.start().unwrap();
+    /// let start = Future { along: &along, across: &across, extents: &[], known_until: 12.0, now: 2.0 }.start().unwrap();
     /// assert_eq!((start.s, start.speed, start.accel), (64.0, 4.0, -3.0));
     /// assert_eq!((start.d, start.d_rate), (2.5, -0.5));
     /// ```

@@ -185,6 +185,7 @@ mod tests {
             let future = Future {
                 along: &along,
                 across: &across,
+                extents: &[],
                 known_until: 20.0,
                 now: 0.0,
             };
@@ -237,7 +238,7 @@ mod tests {
             further in prop_oneof![Just(0.0), 0.0..3.0_f64],
         ) {
             let ego = Ego { s: 0.0, d: 0.0, speed, accel, footprint: CAR };
-            let future = Future { along: &along, across: &across, known_until: 20.0, now: 0.0 };
+            let future = Future { along: &along, across: &across, extents: &[], known_until: 20.0, now: 0.0 };
             let params = Params { criterion: Criterion::Paper, ..Params::default() };
             let view = View::plain(future);
             let corridor = Corridor::new(&params, &ego, CAR, &view);

@@ -76,6 +76,7 @@ mod lines;
 mod proof;
 mod quadratic;
 mod stretch;
+mod swing;
 mod walk;
 
 pub use aggregation::ForecastEstimate;

@@ -1,5 +1,6 @@
 //! Where an actor is sideways, as seen from the ego's offset.
 
+use crate::recording::AcrossBlock;
 use crate::{Ego, Params};
 use zhuyi_core::Footprint;
 
@@ -20,44 +21,102 @@ pub(crate) struct Lines {
 }
 
 impl Lines {
+    /// For an actor whose box stands like this at first.
     pub fn new(params: &Params, ego: &Ego, actor: Footprint) -> Self {
-        let body = f64::midpoint(ego.footprint.width, actor.width);
+        let body = ego.footprint.half_widths(actor);
         Self {
             ego: ego.d,
             body,
             lane: body + params.lateral_margin,
-            reach: f64::midpoint(ego.footprint.length, actor.length),
+            reach: ego.footprint.half_lengths(actor),
         }
     }
 
-    /// The relation of bodies at this offset from each other.
-    pub fn side_at(&self, offset: f64) -> Side {
-        let distance = offset.abs();
-        match (distance < self.lane, distance < self.body) {
+    /// The edges of an actor's box at offset `d`, from the ego's offset, when it stands `grown` [m] further out than at first.
+    #[inline]
+    pub fn edges(&self, d: f64, grown: f64) -> Edges {
+        let offset = d - self.ego;
+        Edges {
+            right: offset - grown,
+            left: offset + grown,
+        }
+    }
+
+    /// The relation of bodies with these edges.
+    #[inline]
+    pub fn side_at(&self, edges: Edges) -> Side {
+        let Edges { right, left } = edges;
+        match (
+            right < self.lane && left > -self.lane,
+            right < self.body && left > -self.body,
+        ) {
             (true, true) => Side::Overlap,
             (true, false) => Side::Close,
             (false, _) => Side::Apart,
         }
     }
 
-    /// The one relation of an actor that goes from one offset to another, whatever lines [near](Lines::are_near) these it is to;
-    /// none if there may be more than one.
-    pub fn side_between(&self, d: f64, end: f64) -> Option<Side> {
-        let (from, to) = (d - self.ego, end - self.ego);
+    /// The one relation on all of a block; none where it may change.
+    #[inline]
+    pub fn side_over(&self, block: &AcrossBlock) -> Option<Side> {
+        let Self {
+            ego, body, lane, ..
+        } = *self;
+        let (right_min, right_max) = (block.right_min - ego, block.right_max - ego);
+        let (left_min, left_max) = (block.left_min - ego, block.left_max - ego);
+        if right_min >= lane || left_max <= -lane {
+            Some(Side::Apart)
+        } else if right_max < body && left_min > -body {
+            Some(Side::Overlap)
+        } else if (right_min >= body && right_max < lane) || (left_max <= -body && left_min > -lane)
+        {
+            Some(Side::Close)
+        } else {
+            None
+        }
+    }
+
+    /// Whether the actor is in the corridor.
+    #[inline]
+    pub fn holds(&self, edges: Edges) -> bool {
+        edges.right < self.lane && edges.left > -self.lane
+    }
+
+    /// The one relation of an actor whose edges go straight from one place to another, whatever lines [near](Lines::are_near)
+    /// these it is to; none if there may be more than one.
+    pub fn side_between(&self, from: Edges, to: Edges) -> Option<Side> {
         let side = self.side_at(from);
-        let is_surely = |offset: f64| {
-            let distance = offset.abs();
-            let clear = |line: f64| (distance - line).abs() > NEAR;
-            self.side_at(offset) == side && clear(self.body) && clear(self.lane)
+        let is_surely = |edges: Edges| {
+            let clear = |edge: f64, line: f64| (edge - line).abs() > NEAR;
+            self.side_at(edges) == side
+                && [self.body, self.lane]
+                    .iter()
+                    .all(|line| clear(edges.right, *line) && clear(edges.left, -line))
         };
-        let crosses = side != Side::Overlap && (from > 0.0) != (to > 0.0);
-        (is_surely(from) && is_surely(to) && !crosses && !to.is_nan()).then_some(side)
+        let crosses = side != Side::Overlap && from.is_to_the_left() != to.is_to_the_left();
+        (is_surely(from) && is_surely(to) && !crosses && !to.right.is_nan()).then_some(side)
     }
 
     /// Whether others are the same for an ego that has hardly moved sideways.
     pub fn are_near(&self, other: &Self) -> bool {
         let same = (self.body, self.lane, self.reach) == (other.body, other.lane, other.reach);
         same && (self.ego - other.ego).abs() < NEAR
+    }
+}
+
+/// Edges of an actor's box, as offsets from the ego's [m]: of a box that stands as at first both are that of its centre, else
+/// one is as much further to the right and the other to the left as it has grown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Edges {
+    pub right: f64,
+    pub left: f64,
+}
+
+impl Edges {
+    /// Whether an actor that does not overlap the ego is to its left.
+    #[inline]
+    pub fn is_to_the_left(self) -> bool {
+        self.right > 0.0
     }
 }
 

@@ -76,7 +76,7 @@ impl Estimator {
     /// # let ego = Ego { s: 0.0, d: 0.0, speed: 10.0, accel: 0.0, footprint: car };
     /// # let along = [Along::constant_accel(0.0, 54.0, 0.0, 0.0)];
     /// # let across = [Across { time: 0.0, d: 0.0, d_rate: 0.0 }];
-    /// # let future = Future { along: &along, across: &across, known_until: 20.0, now: 0.0 };
+    /// # let future = Future { along: &along, across: &across, extents: &[], known_until: 20.0, now: 0.0 };
     /// // (0.5 + 5 x 0.1) / 6 = 0.1667 s; the grid has 0.142 s below it.
     /// let estimate = Estimator::new(Params::default()).by_model(&HalfSecond, &ego, car, &future, 0.1);
     /// assert_eq!((estimate.state, estimate.latency), (State::Tolerable, Some(0.142)));

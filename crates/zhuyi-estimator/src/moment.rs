@@ -64,6 +64,7 @@ impl Estimator {
     /// let stands = Trajectory {
     ///     along: vec![Along::constant_accel(0.0, 54.0, 0.0, 0.0)],
     ///     across: vec![Across { time: 0.0, d: 0.0, d_rate: 0.0 }],
+    ///     extents: Vec::new(),
     ///     known_until: 5.0,
     /// };
     /// let forecast = Forecast { actor: ActorId(7), footprint: car, trajectories: vec![(1.0, stands)] };

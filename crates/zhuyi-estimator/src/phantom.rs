@@ -118,6 +118,7 @@ impl Phantom {
         Future {
             along: &self.along,
             across: &self.across,
+            extents: &[],
             known_until: 0.0,
             now: 0.0,
         }
@@ -151,7 +152,7 @@ impl<P: Fn(f64) -> Pose> Surroundings<'_, P> {
     /// };
     /// let car = |s: f64, speed: f64| Body {
     ///     footprint: Footprint { length: 4.0, width: 1.9 }, road: Frenet { s, d: 0.0 },
-    ///     pose: Pose::new(s, 0.0, 0.0), speed, accel: 0.0, s_rate: speed, d_rate: 0.0,
+    ///     pose: Pose::new(s, 0.0, 0.0), turn: 0.0, extent: Footprint { length: 4.0, width: 1.9 }, speed, accel: 0.0, s_rate: speed, d_rate: 0.0,
     /// };
     /// let rig = [Watch { camera: &camera, current_latency: 1.0 / 30.0 }];
     /// let edge = PhantomParams { footprint: car(0.0, 0.0).footprint, ..PhantomParams::default() };
@@ -193,6 +194,8 @@ impl Estimator {
     /// let rig = [&front, &rear].map(|camera| Watch { camera, current_latency: 1.0 / 30.0 });
     /// let ego = Body {
     ///     footprint: Footprint { length: 4.0, width: 2.0 }, road: Frenet::default(), pose: Pose::default(),
+    ///     turn: 0.0,
+    ///     extent: Footprint { length: 4.0, width: 2.0 },
     ///     speed: 10.0, accel: 0.0, s_rate: 10.0, d_rate: 0.0,
     /// };
     /// let around = Surroundings { ego: &ego, bodies: &[], path: |s: f64| Pose::new(s, 0.0, 0.0) };

@@ -17,7 +17,8 @@ use crate::encounter::Encounter;
 use crate::estimate::{State, Tolerance};
 use crate::lines::{Lines, Side};
 use crate::proof::Proof;
-use crate::recording::{Recording, View};
+use crate::recording::{Recording, View, for_each_edge};
+use crate::swing::{Swing, first_box};
 use crate::{Ego, Estimator, Future};
 
 /// After how many questions a proof is tried again where there was none.
@@ -60,6 +61,7 @@ impl Estimator {
     /// let recording = Recording::new(Trajectory {
     ///     along: vec![Along::constant_accel(0.0, 54.0, 8.0, -1.0), Along::constant_accel(8.0, 86.0, 0.0, 0.0)],
     ///     across: vec![Across { time: 0.0, d: 0.0, d_rate: 0.0 }],
+    ///     extents: Vec::new(),
     ///     known_until: 20.0,
     /// });
     /// let estimator = Estimator::new(Params::default());
@@ -94,7 +96,8 @@ impl Playback<'_> {
     #[inline]
     pub fn tolerance(&mut self, ego: &Ego, now: f64, current_latency: f64) -> Tolerance {
         let params = self.estimator.params();
-        let lines = Lines::new(params, ego, self.actor);
+        let extents = &self.recording.trajectory().extents;
+        let lines = Lines::new(params, ego, first_box(self.actor, extents));
         let held = Start::new(ego.speed, ego.accel);
         if let Some(proof) = &self.proof {
             let is_near = self.lines.is_some_and(|kept| kept.are_near(&lines));
@@ -165,7 +168,12 @@ impl Playback<'_> {
 
     /// Goes on to `now`, and looks how the bodies are to each other unless the ego is on its way sideways.
     fn look(&mut self, now: f64, lines: Lines) -> Now {
-        let Trajectory { along, across, .. } = self.recording.trajectory();
+        let Trajectory {
+            along,
+            across,
+            extents,
+            ..
+        } = self.recording.trajectory();
         if now < self.now.time {
             self.now.first = [0; 2];
         }
@@ -189,7 +197,8 @@ impl Playback<'_> {
             (self.lines, self.proof) = (Some(lines), None);
             self.runs.clear();
             if is_near {
-                derive(across, &lines, &mut self.runs);
+                let swing = Swing::new(extents, 0.0);
+                derive(across, swing, &lines, &mut self.runs);
             }
         }
         self.now
@@ -200,7 +209,9 @@ impl Playback<'_> {
         let (Some(last), [along, across]) = (self.runs.last(), now.first) else {
             return false;
         };
-        let is_behind = |piece: &Along| piece.s_at(now.time) - ego.s < -lines.reach;
+        let swing = Swing::new(&self.recording.trajectory().extents, 0.0);
+        let grown = swing.map_or(0.0, |swing| swing.at(now.time).along);
+        let is_behind = |piece: &Along| piece.s_at(now.time) - ego.s < -lines.reach - grown;
         last.first <= across
             && match last.side {
                 Some(Side::Apart) => true,
@@ -233,20 +244,37 @@ impl Now {
 }
 
 /// Sorts the pieces into runs.
-fn derive(pieces: &[Across], lines: &Lines, runs: &mut Vec<Run>) {
+fn derive(pieces: &[Across], swing: Option<Swing<'_>>, lines: &Lines, runs: &mut Vec<Run>) {
     for (first, piece) in pieces.iter().enumerate() {
         let next = pieces.get(first + 1);
+        // The first piece reaches back and the last on for ever: only one on which nothing changes there has one relation.
+        let rests_before = || swing.is_none_or(|swing| swing.rests_before_it_begins());
         let end = match next {
-            // The first piece reaches back and the last on for ever.
-            Some(next) if first > 0 => piece.d + (next.time - piece.time) * piece.d_rate,
-            _ if piece.d_rate == 0.0 => piece.d,
-            _ => f64::NAN,
+            Some(next) if first > 0 || (piece.d_rate == 0.0 && rests_before()) => Some(next.time),
+            None if piece.d_rate == 0.0 && (first > 0 || rests_before()) => {
+                swing.map_or(Some(piece.time), |swing| swing.rests_from())
+            }
+            _ => None,
         };
-        let side = lines.side_between(piece.d, end);
+        let side = end.and_then(|end| one_side(piece, end.max(piece.time), swing, lines));
         if side.is_none() || runs.last().is_none_or(|run| run.side != side) {
             runs.push(Run { first, side });
         }
     }
+}
+
+/// The one relation of an actor on a piece that lasts until `end`.
+fn one_side(piece: &Across, end: f64, swing: Option<Swing<'_>>, lines: &Lines) -> Option<Side> {
+    let (mut before, mut side, mut one) = (None, None, true);
+    for_each_edge(piece, piece.time, end, swing, |d, grown| {
+        let edges = lines.edges(d, grown);
+        if let Some(before) = before.replace(edges) {
+            let between = lines.side_between(before, edges);
+            one &= between.is_some() && side.is_none_or(|side| Some(side) == between);
+            side = between;
+        }
+    });
+    side.filter(|_| one)
 }
 
 #[cfg(test)]

@@ -129,6 +129,11 @@ impl Proof {
             };
             let motion = encounter.candidate(*before).motion;
             stay.is_for_ever()
+                && corridor.swing.is_none_or(|swing| {
+                    swing
+                        .rests_from()
+                        .is_some_and(|time| time < encounter.datum.now + corridor.horizon)
+                })
                 && corridor.view.future.along.last().is_some_and(stands)
                 && motion.stands_from() <= corridor.horizon
         };
@@ -255,7 +260,10 @@ impl Stay {
                 counts.then(|| Self {
                     lines: corridor.lines,
                     until: encounter.datum.now + entry.start,
-                    limit: Some(corridor.actor_at(entry.start) + corridor.lines.reach),
+                    limit: Some({
+                        let grown = corridor.grown_along(entry.start);
+                        corridor.actor_at(entry.start) + corridor.lines.reach + grown
+                    }),
                 })
             }
         }

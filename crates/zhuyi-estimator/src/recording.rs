@@ -11,6 +11,7 @@ use std::sync::OnceLock;
 use crate::Future;
 use crate::lines::{Lines, Side};
 use crate::playback::Run;
+use crate::swing::Swing;
 use zhuyi_core::{Across, Along, Trajectory};
 
 /// Pieces per block along the road, from coarse to fine; each is a multiple of the next.
@@ -32,13 +33,15 @@ pub(crate) struct AlongBlock {
     pub end: f64,
 }
 
-/// Offsets over many pieces.
+/// Offsets over many pieces of the edges of the box, counted as in [`Edges`](crate::lines::Edges).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct AcrossBlock {
     pub start: f64,
     pub end: f64,
-    pub d_min: f64,
-    pub d_max: f64,
+    pub right_min: f64,
+    pub right_max: f64,
+    pub left_min: f64,
+    pub left_max: f64,
 }
 
 /// A trajectory with its coarse view.
@@ -67,14 +70,21 @@ impl Recording {
 
     /// Its coarse view.
     pub(crate) fn coarse(&self) -> &Coarse {
+        let swing = Swing::new(&self.trajectory.extents, 0.0);
         self.coarse.get_or_init(|| Coarse {
             along: ALONG_BLOCKS.map(|size| {
                 let blocks = blocks(&self.trajectory.along, size);
-                blocks.map(along_block).collect()
+                let block = |(pieces, behind): (&[Along], &Along)| match swing {
+                    None => along_block(pieces, behind.time),
+                    Some(swing) => along_block(&rears(pieces, behind.time, swing), behind.time),
+                };
+                blocks.map(block).collect()
             }),
             across: ACROSS_BLOCKS.map(|size| {
                 let blocks = blocks(&self.trajectory.across, size);
-                blocks.map(across_block).collect()
+                blocks
+                    .map(|(pieces, behind)| across_block(pieces, behind.time, swing))
+                    .collect()
             }),
         })
     }
@@ -187,11 +197,19 @@ impl<'a> View<'a> {
             &self.future.across[run.first],
             self.future.across.get(run.first + 1)?,
         );
-        let end = piece.d + (next.time - piece.time) * piece.d_rate;
-        let offsets = [piece.d, end].map(|d| d - lines.ego);
-        let inside = offsets.map(|offset| offset.abs() < lines.lane);
+        let (swing, now) = (Swing::of(&self.future), self.future.now);
+        let [start, end] = [piece.time, next.time].map(|time| time - now);
+        if swing.is_some_and(|swing| swing.changes_within(start, end)) {
+            return None;
+        }
+        let grown = |time: f64| swing.map_or(0.0, |swing| swing.at(time).across);
+        let edges = [
+            lines.edges(piece.d, grown(start)),
+            lines.edges(piece.d + (end - start) * piece.d_rate, grown(end)),
+        ];
+        let inside = edges.map(|edges| lines.holds(edges));
         // On its way from one side to the other it passes through.
-        let passes = inside == [false; 2] && (offsets[0] > 0.0) != (offsets[1] > 0.0);
+        let passes = inside == [false; 2] && edges[0].is_to_the_left() != edges[1].is_to_the_left();
         (!passes).then_some(inside)
     }
 
@@ -237,14 +255,36 @@ fn blocks<P>(pieces: &[P], size: usize) -> impl Iterator<Item = (&[P], &P)> {
         .zip(pieces.iter().skip(size).step_by(size))
 }
 
-fn along_block((pieces, behind): (&[Along], &Along)) -> AlongBlock {
-    let ends = pieces
-        .iter()
-        .skip(1)
-        .map(|piece| piece.time)
-        .chain([behind.time]);
+/// Pieces up to `end`, cut where the half extents change, as the rear of a box that turns makes them.
+fn rears(pieces: &[Along], end: f64, swing: Swing<'_>) -> Vec<Along> {
+    let ends = pieces.iter().skip(1).map(|piece| piece.time).chain([end]);
+    let mut cut = Vec::new();
+    for (piece, end) in pieces.iter().zip(ends) {
+        let (mut time, mut extent) = (piece.time, swing.index(piece.time));
+        loop {
+            let rear = swing.rear(extent, piece);
+            let x = time - piece.time;
+            cut.push(Along {
+                time,
+                s: rear.s_at(time),
+                s_rate: rear.s_rate + 2.0 * x * rear.s_half_accel,
+                v: rear.v_at(time),
+                ..rear
+            });
+            time = swing.end(extent);
+            extent += 1;
+            if time >= end {
+                break;
+            }
+        }
+    }
+    cut
+}
+
+fn along_block(pieces: &[Along], end: f64) -> AlongBlock {
+    let ends = pieces.iter().skip(1).map(|piece| piece.time).chain([end]);
     let timed = || pieces.iter().zip(ends.clone());
-    let fit = fit(pieces, behind.time);
+    let fit = fit(pieces, end);
     let (mut s_error, mut v_error) = (0.0, 0.0);
     for (piece, end) in timed() {
         // Both are quadratics: they are furthest apart at an end of the piece or where their rates agree.
@@ -268,14 +308,14 @@ fn along_block((pieces, behind): (&[Along], &Along)) -> AlongBlock {
             fit,
             s_error: f64::INFINITY,
             v_error: f64::INFINITY,
-            end: behind.time,
+            end,
         };
     }
     AlongBlock {
         fit,
         s_error: s_error + ROUNDING,
         v_error: v_error + ROUNDING,
-        end: behind.time,
+        end,
     }
 }
 
@@ -311,29 +351,59 @@ fn fit(pieces: &[Along], end: f64) -> Along {
     }
 }
 
-fn across_block((pieces, behind): (&[Across], &Across)) -> AcrossBlock {
+fn across_block(pieces: &[Across], end: f64, swing: Option<Swing<'_>>) -> AcrossBlock {
     let mut block = AcrossBlock {
         start: pieces[0].time,
-        end: behind.time,
-        d_min: f64::INFINITY,
-        d_max: f64::NEG_INFINITY,
+        end,
+        right_min: f64::INFINITY,
+        right_max: f64::NEG_INFINITY,
+        left_min: f64::INFINITY,
+        left_max: f64::NEG_INFINITY,
     };
-    let ends = pieces
-        .iter()
-        .skip(1)
-        .map(|piece| piece.time)
-        .chain([behind.time]);
+    let ends = pieces.iter().skip(1).map(|piece| piece.time).chain([end]);
     for (piece, end) in pieces.iter().zip(ends) {
-        for d in [piece.d, piece.d + (end - piece.time) * piece.d_rate] {
-            if d < block.d_min {
-                block.d_min = d;
-            }
-            if d > block.d_max {
-                block.d_max = d;
-            }
-        }
+        for_each_edge(piece, piece.time, end, swing, |d, grown| {
+            widen_to(&mut block.right_min, &mut block.right_max, d - grown);
+            widen_to(&mut block.left_min, &mut block.left_max, d + grown);
+        });
     }
     block
+}
+
+/// Tells offset and growth of the box across at both ends of a piece that lasts from `start` to `end` and wherever its half
+/// extents change in between; from one to the next the edges go straight.
+pub(crate) fn for_each_edge(
+    piece: &Across,
+    start: f64,
+    end: f64,
+    swing: Option<Swing<'_>>,
+    mut tell: impl FnMut(f64, f64),
+) {
+    let d = |time: f64| piece.d + (time - piece.time) * piece.d_rate;
+    let Some(swing) = swing else {
+        tell(d(start), 0.0);
+        tell(d(end), 0.0);
+        return;
+    };
+    let mut extent = swing.index(start);
+    tell(d(start), swing.on(extent, start).across);
+    while swing.end(extent) < end {
+        let time = swing.end(extent);
+        // Both pieces, should they not meet.
+        tell(d(time), swing.on(extent, time).across);
+        extent += 1;
+        tell(d(time), swing.on(extent, time).across);
+    }
+    tell(d(end), swing.on(extent, end).across);
+}
+
+fn widen_to(least: &mut f64, most: &mut f64, value: f64) {
+    if value < *least {
+        *least = value;
+    }
+    if value > *most {
+        *most = value;
+    }
 }
 
 #[cfg(test)]
@@ -357,7 +427,7 @@ mod tests {
             ));
         }
         let behind = Along::constant_accel(3.0, 0.0, 0.0, 0.0);
-        let block = along_block((&pieces, &behind));
+        let block = along_block(&pieces, behind.time);
         let mut furthest = 0.0;
         for step in 0..3000 {
             let time = f64::from(step) / 1000.0;

@@ -78,6 +78,7 @@ pub fn trajectory(samples: &[Sample]) -> Result<Trajectory, SampleError> {
     Ok(Trajectory {
         along,
         across,
+        extents: Vec::new(),
         known_until: last.time,
     })
 }

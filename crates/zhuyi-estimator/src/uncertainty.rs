@@ -183,7 +183,7 @@ impl Estimator {
     /// # let ego = Ego { s: 0.0, d: 0.0, speed: 10.0, accel: 0.0, footprint: car };
     /// # let along = [Along::constant_accel(0.0, 54.0, 0.0, 0.0)];
     /// # let across = [Across { time: 0.0, d: 0.0, d_rate: 0.0 }];
-    /// # let future = Future { along: &along, across: &across, known_until: 20.0, now: 0.0 };
+    /// # let future = Future { along: &along, across: &across, extents: &[], known_until: 20.0, now: 0.0 };
     /// let estimator = Estimator::new(Params::default());
     /// let uncertainty =
     ///     Uncertainty { sigmas: 2.0, covariance: Covariance::independent(1.0, 0.0, 0.0), jerk_density: 0.0 };

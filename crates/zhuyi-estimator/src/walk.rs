@@ -120,6 +120,9 @@ impl Encounter<'_> {
     pub fn visit<V: Visitor>(&self, from: f64, to: f64, visitor: &mut V) -> Option<V::Found> {
         let future = &self.corridor.view.future;
         let (mut time, mut index) = (from, self.corridor.view.along_index(from));
+        // Of a box that turns, the piece of its half extents.
+        let swing = self.corridor.swing;
+        let mut extent = swing.map_or(0, |swing| swing.index(from));
         let mut leash = visitor.leash(time);
         // Before this piece no block is to be tried again.
         let mut tried = 0;
@@ -130,17 +133,27 @@ impl Encounter<'_> {
                         return None;
                     }
                     (time, index) = (end, behind);
+                    extent = swing.map_or(0, |swing| swing.index(end));
                     continue;
                 }
                 tried = (index / FINEST + 1) * FINEST;
             }
             let next = future.along.get(index + 1);
-            let end = next.map_or(f64::INFINITY, |next| next.time - future.now);
+            let piece_end = next.map_or(f64::INFINITY, |next| next.time - future.now);
+            let (mut end, turning) = (
+                piece_end,
+                swing.map(|swing| swing.rear(extent, &future.along[index])),
+            );
+            if let Some(swing) = swing
+                && swing.end(extent) < end
+            {
+                (end, extent) = (swing.end(extent), extent + 1);
+            }
             if end > time || time >= to {
                 let cell = Cell {
                     start: time,
                     end: if end < to { end } else { to },
-                    piece: &future.along[index],
+                    piece: turning.as_ref().unwrap_or(&future.along[index]),
                 };
                 let bounds = self.bounds(&cell);
                 let may_matter = !leash.rules_out(&cell, &bounds);
@@ -155,7 +168,9 @@ impl Encounter<'_> {
                 }
                 time = end;
             }
-            index += 1;
+            if end >= piece_end {
+                index += 1;
+            }
         }
     }
 

@@ -53,6 +53,7 @@ fn ask(case: &Case) -> Estimate {
     let future = Future {
         along: &case.along,
         across: &case.across,
+        extents: &case.extents,
         known_until: case.known_until,
         now: case.now,
     };

@@ -148,27 +148,11 @@ impl<'a> AllSeeing<'a> {
     fn latency(&mut self, time: SimTime, ego: &Body, actors: &[Body], camera: usize) -> f64 {
         let tracks = (0..).map(ActorId).zip(actors);
         let tracks: Vec<Track> = tracks
-            .map(|(actor, body)| track(actor, time, body))
+            .map(|(actor, body)| Track::exact(actor, time, body))
             .collect();
         let rates = self.rates.clone();
         let asked = self.online.ask(time, ego, &tracks, rates, &self.processed);
         asked.demands[camera].latency
-    }
-}
-
-/// The truth about an actor as a track.
-fn track(actor: ActorId, time: SimTime, body: &Body) -> Track {
-    Track {
-        actor,
-        time,
-        seen: time,
-        footprint: body.footprint,
-        road: body.road,
-        s_rate: body.s_rate,
-        s_accel: body.accel,
-        d_rate: body.d_rate,
-        s_deviation: 0.0,
-        d_deviation: 0.0,
     }
 }
 

@@ -225,6 +225,7 @@ mod tests {
                     let future = Future {
                         along: &along,
                         across: &across,
+                        extents: &[],
                         known_until: 20.0,
                         now: 0.0,
                     };

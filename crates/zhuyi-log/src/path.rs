@@ -25,6 +25,7 @@
 //! where all of the path is ahead of the ego, what is further behind the nearest of it than beside it has its foot
 //! straight back.
 
+use zhuyi_core::geometry::wrap_angle;
 use zhuyi_core::{Point, Pose};
 
 /// [m] positions nearer than this to the one before are no vertices of the path.
@@ -66,6 +67,12 @@ impl Foot {
     pub fn along_across(&self, speed: f64, heading: f64) -> (f64, f64) {
         let ((sin, cos), (x, y)) = (heading.sin_cos(), self.direction);
         (speed * (cos * x + sin * y), speed * (sin * x - cos * y))
+    }
+
+    /// [rad] the angle of a `heading` against the path, in (-π, π].
+    pub fn turn(&self, heading: f64) -> f64 {
+        let (x, y) = self.direction;
+        wrap_angle(heading - y.atan2(x))
     }
 }
 

@@ -279,6 +279,7 @@ fn recording(log: &Log, rows: &[Row], feet: &[Foot]) -> Recording {
 
 fn body(row: &Row, foot: &Foot) -> Body {
     let (s_rate, d_rate) = foot.along_across(row.speed, row.pose.heading);
+    let turn = foot.turn(row.pose.heading);
     Body {
         footprint: row.footprint,
         road: Frenet {
@@ -286,6 +287,8 @@ fn body(row: &Row, foot: &Foot) -> Body {
             d: foot.d,
         },
         pose: row.pose,
+        turn,
+        extent: row.footprint.turned(turn),
         speed: row.speed,
         accel: row.accel,
         s_rate,

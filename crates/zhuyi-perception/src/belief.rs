@@ -1,26 +1,34 @@
-//! What the ego believes about one actor: a filter along the road and one across it.
+//! What the ego believes about one actor: a filter along the road, one across it and one of its heading.
 //!
 //! Between measurements the state is carried on with constant acceleration along, never through standstill, and with
 //! constant speed across:
 //!
 //! ```text
-//! s(t) = s + v t + a t²/2,  t at most v / (-a) when a < 0;    d(t) = d + ḋ t
+//! s(t) = s + v t + a t²/2,  t at most v / (-a) when a < 0;    d(t) = d + ḋ t;    ψ(t) = ψ
+//!
+//! ψ' = ψ + P⁻ / (P⁻ + σ_ψ²) (measured - ψ),   P⁻ = P + q t        (Kalman filter of a heading that wanders)
 //! ```
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | s, v, a | along the road: position, speed, acceleration | m, m/s, m/s2 |
 //! | d, ḋ | across: offset, speed | m, m/s |
+//! | ψ, P | heading against the road, its variance | rad, rad2 |
+//! | q | variance that a heading gains per second | rad2/s |
 //!
 //! No one reverses on this road, so a negative speed counts as standstill. The covariances follow the linear model
 //! of [`crate::axis`] throughout. A measurement older than the newest one taken is left out of the filter: another
 //! camera with less latency has already told more.
 
 use wide::f64x2;
+use zhuyi_core::geometry::wrap_angle;
 use zhuyi_core::{ActorId, Detection, Footprint, Frenet, SimTime, Track};
 
 use crate::Perception;
-use crate::axis::{Axis, Measurement};
+use crate::axis::{Axis, LEAST_DEVIATION, Measurement};
+
+/// [rad2/s] q: the square of what a lane change turns a car by (0.1 rad/s) from one frame at 30 FPR to the next, per second.
+const HEADING_DENSITY: f64 = 0.1 * 0.1 / 30.0;
 
 /// The state of one actor as of the exposure that measured it last.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,6 +37,41 @@ pub struct Belief {
     footprint: Footprint,
     /// Along the road and across it.
     axes: Axis<f64x2>,
+    heading: Heading,
+    /// The box as it stands on the road.
+    extent: Footprint,
+}
+
+/// A filtered heading.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Heading {
+    /// [rad] against the road.
+    mean: f64,
+    /// [rad2]
+    variance: f64,
+}
+
+impl Heading {
+    /// After a first measurement.
+    fn start(measured: f64, params: &Perception) -> Self {
+        Self {
+            mean: measured,
+            variance: heading_variance(params),
+        }
+    }
+
+    /// Takes a further measurement `elapsed` seconds later.
+    fn measure(&mut self, measured: f64, elapsed: f64, params: &Perception) {
+        let predicted = self.variance + HEADING_DENSITY * elapsed;
+        let gain = predicted / (predicted + heading_variance(params));
+        self.mean += gain * wrap_angle(measured - self.mean);
+        self.variance = predicted * (1.0 - gain);
+    }
+}
+
+/// [rad2] variance of a measured heading.
+fn heading_variance(params: &Perception) -> f64 {
+    params.noise_heading.max(LEAST_DEVIATION).powi(2)
 }
 
 impl Belief {
@@ -38,6 +81,8 @@ impl Belief {
             seen: exposed,
             footprint: detection.footprint,
             axes: Axis::start(&measurement(detection, params)),
+            heading: Heading::start(detection.turn, params),
+            extent: detection.footprint.turned(detection.turn),
         }
     }
 
@@ -57,6 +102,8 @@ impl Belief {
         self.seen = exposed;
         self.footprint = detection.footprint;
         self.axes.measure(&measurement(detection, params));
+        self.heading.measure(detection.turn, elapsed, params);
+        self.extent = self.footprint.turned(self.heading.mean);
     }
 
     /// The actor as believed to be at `time`; as last seen, where that is later.
@@ -71,6 +118,8 @@ impl Belief {
             seen: self.seen,
             footprint: self.footprint,
             road: Frenet { s, d },
+            turn: self.heading.mean,
+            extent: self.extent,
             s_rate,
             s_accel,
             d_rate,
@@ -79,10 +128,10 @@ impl Belief {
         }
     }
 
-    /// The place of its centre then.
-    pub fn place(&self, time: SimTime) -> Frenet {
+    /// The place of its centre then, and its heading [rad] against the road.
+    pub fn place(&self, time: SimTime) -> (Frenet, f64) {
         let ([s, ..], d, _) = self.carried(self.elapsed(time));
-        Frenet { s, d }
+        (Frenet { s, d }, self.heading.mean)
     }
 
     /// The state along the road, the offset and its rate, `elapsed` seconds after the exposure.

@@ -2,13 +2,14 @@
 //!
 //! ```text
 //! ready = exposed + latency + J u,   latency = 1/f at the exposure unless set
-//! s' = s + σ_s z_1,  d' = d + σ_d z_2,  ṡ' = ṡ + σ_v z_3,  ḋ' = ḋ + σ_v z_4
+//! s' = s + σ_s z_1,  d' = d + σ_d z_2,  ṡ' = ṡ + σ_v z_3,  ḋ' = ḋ + σ_v z_4,  ψ' = ψ + σ_ψ z_5
 //! ```
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | f | frame rate of the camera | Hz |
-//! | `σ_s, σ_d, σ_v` | standard deviations of the measurement | m, m, m/s |
+//! | ψ | heading against the road | rad |
+//! | `σ_s, σ_d, σ_v, σ_ψ` | standard deviations of the measurement | m, m, m/s, rad |
 //! | z | independent standard normal numbers, drawn per camera, actor and frame | - |
 //! | J | latency jitter: the most that a frame takes longer | s |
 //! | u | uniform in [0, 1), drawn per camera and frame | - |
@@ -32,7 +33,7 @@ use rand_chacha::ChaCha8Rng;
 use zhuyi_core::{ActorId, Body, CameraId, Detection, Frame, FrameRates, Scene, SimTime};
 
 use crate::sight::View;
-use crate::stream::{Fortune, Purpose};
+use crate::stream::{Luck, NoiseStream, Purpose, normal_pair};
 use crate::{Clock, Eye, Perception, Truth};
 
 /// Frames in flight of each camera for which there is room from the start.
@@ -57,7 +58,9 @@ struct Shutter {
     clock: Clock,
     view: View,
     /// With each actor.
-    fortunes: Vec<Fortune>,
+    fortunes: Vec<NoiseStream<5>>,
+    /// Of the heading of each actor; empty where headings are exact.
+    headings: Vec<NoiseStream<2>>,
     /// By how much its frames take longer; none where they never do.
     lateness: Option<ChaCha8Rng>,
     /// Which of its pictures are lost; none where none is.
@@ -96,8 +99,13 @@ impl Eyes {
                 lateness: where_on(params.latency_jitter > 0.0, Purpose::Latency(camera)),
                 loss: where_on(params.drop_rate > 0.0, Purpose::Loss(camera)),
                 view: View::with_room(start.actors.len()),
+                headings: actors
+                    .clone()
+                    .filter(|_| params.noise_heading > 0.0)
+                    .map(|actor| NoiseStream::new(draws(Purpose::Heading(camera, actor))))
+                    .collect(),
                 fortunes: actors
-                    .map(|actor| Fortune::new(draws(Purpose::Detection(camera, actor))))
+                    .map(|actor| NoiseStream::new(draws(Purpose::Detection(camera, actor))))
                     .collect(),
                 newest: None,
                 exposed: 0,
@@ -318,14 +326,21 @@ impl Shutter {
         let mut detections = list;
         detections.clear();
         for (index, (body, fortune)) in bodies.iter().zip(&mut self.fortunes).enumerate() {
+            let heading = self.headings.get_mut(index);
             if !self.view.sees(index, params.visible_share) {
                 fortune.pass();
+                heading.map(NoiseStream::pass);
                 continue;
             }
-            let luck = fortune.draw();
+            let luck = Luck::from(fortune.draw());
             if luck.miss < miss_rate {
+                heading.map(NoiseStream::pass);
                 continue;
             }
+            let turned = heading.map_or(0.0, |stream| {
+                let [a, b] = stream.draw();
+                params.noise_heading * normal_pair(a, b).0
+            });
             let [z1, z2, z3, z4] = luck.normals();
             let mut road = body.road;
             road.s += params.noise_along * z1;
@@ -333,6 +348,7 @@ impl Shutter {
             detections.push(Detection {
                 actor: ActorId(index as u32),
                 road,
+                turn: body.turn + turned,
                 s_rate: body.s_rate + params.noise_speed * z3,
                 d_rate: body.d_rate + params.noise_speed * z4,
                 footprint: body.footprint,

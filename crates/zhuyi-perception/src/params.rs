@@ -30,6 +30,8 @@ pub struct Perception {
     pub noise_across: f64,
     /// [m/s] standard deviation of both measured speeds.
     pub noise_speed: f64,
+    /// [rad] standard deviation of a measured heading.
+    pub noise_heading: f64,
     /// [-] chance that a visible body is missed in a frame.
     pub miss_rate: f64,
     /// [s] most by which a frame takes longer than its latency; uniform below it.

@@ -1,7 +1,7 @@
 //! Chance, keyed by purpose.
 //!
 //! The caller hands out one generator per [`Purpose`]. A detection stream gives five uniform numbers per exposed frame,
-//! whether the actor is visible or not; one of latency or loss gives one per exposed frame, whatever becomes of it: the j-th frame of a camera has the same luck with an actor whatever the other
+//! one of headings two, whether the actor is visible or not; one of latency or loss gives one per exposed frame, whatever becomes of it: the j-th frame of a camera has the same luck with an actor whatever the other
 //! cameras do, at any rate, so that runs that differ in rate alone stay paired (reading R18).
 //!
 //! ```text
@@ -11,7 +11,7 @@
 //! Source: Box and Muller, *A Note on the Generation of Random Normal Deviates*, 1958. `1 - u_1` keeps the logarithm
 //! finite.
 
-use rand::{Rng, RngExt};
+use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::TAU;
 use zhuyi_core::{ActorId, CameraId};
@@ -23,6 +23,8 @@ pub enum Purpose {
     Phase(CameraId),
     /// What a camera makes of an actor.
     Detection(CameraId, ActorId),
+    /// The error of the heading that a camera measures of an actor.
+    Heading(CameraId, ActorId),
     /// By how much a camera's frames take longer.
     Latency(CameraId),
     /// Which of a camera's pictures are lost.
@@ -37,17 +39,16 @@ pub(crate) struct Luck {
     uniform: [f64; 4],
 }
 
-impl Luck {
-    pub fn draw(rng: &mut impl Rng) -> Self {
+impl From<[f64; 5]> for Luck {
+    fn from([miss, a, b, c, d]: [f64; 5]) -> Self {
         Self {
-            miss: rng.random(),
-            uniform: rng.random(),
+            miss,
+            uniform: [a, b, c, d],
         }
     }
+}
 
-    /// Words of 32 bits that a draw takes from its generator.
-    const WORDS: u128 = 10;
-
+impl Luck {
     /// Four independent standard normal numbers.
     pub fn normals(&self) -> [f64; 4] {
         let [a, b, c, d] = self.uniform;
@@ -56,37 +57,40 @@ impl Luck {
     }
 }
 
-/// The luck of one camera with one actor, frame after frame.
+/// Numbers for one camera and one actor, `N` of them per frame, frame after frame.
 #[derive(Clone, Debug)]
-pub(crate) struct Fortune {
+pub(crate) struct NoiseStream<const N: usize> {
     stream: ChaCha8Rng,
-    /// Frames passed over since the last draw, whose luck nobody asked for.
+    /// Frames passed over since the last draw, whose numbers were not needed.
     passed: u32,
 }
 
-impl Fortune {
+impl<const N: usize> NoiseStream<N> {
+    /// Words of 32 bits that a draw takes from its generator.
+    const WORDS: u128 = 2 * N as u128;
+
     pub fn new(stream: ChaCha8Rng) -> Self {
         Self { stream, passed: 0 }
     }
 
-    /// Passes over the luck of a frame.
+    /// Passes over the numbers of a frame.
     pub fn pass(&mut self) {
         self.passed += 1;
     }
 
-    /// The luck of the next frame.
-    pub fn draw(&mut self) -> Luck {
+    /// The numbers of the next frame, independent and uniform in [0, 1).
+    pub fn draw(&mut self) -> [f64; N] {
         // To jump makes the generator compute a block anew, which is as dear as some draws.
         if self.passed > 5 {
-            let position = self.stream.get_word_pos() + u128::from(self.passed) * Luck::WORDS;
+            let position = self.stream.get_word_pos() + u128::from(self.passed) * Self::WORDS;
             self.stream.set_word_pos(position);
         } else {
             for _ in 0..self.passed {
-                Luck::draw(&mut self.stream);
+                self.stream.random::<[f64; N]>();
             }
         }
         self.passed = 0;
-        Luck::draw(&mut self.stream)
+        self.stream.random()
     }
 }
 
@@ -110,9 +114,9 @@ mod tests {
     #[test]
     fn law_luck_that_is_passed_over_moves_none_that_comes_after() {
         let mut each = ChaCha8Rng::seed_from_u64(3);
-        let mut asked = Fortune::new(each.clone());
+        let mut asked = NoiseStream::<5>::new(each.clone());
         for frame in 0..2000_u32 {
-            let luck = Luck::draw(&mut each);
+            let luck: [f64; 5] = each.random();
             // Runs of frames nobody asks for, of lengths 0 to 40.
             if frame % 41 < frame / 41 {
                 asked.pass();
@@ -126,7 +130,7 @@ mod tests {
     fn law_draws_are_standard_normal_and_independent() {
         let mut rng = ChaCha8Rng::seed_from_u64(1);
         let draws: Vec<[f64; 4]> = (0..100_000)
-            .map(|_| Luck::draw(&mut rng).normals())
+            .map(|_| Luck::from(rng.random::<[f64; 5]>()).normals())
             .collect();
         let n = draws.len() as f64;
         for i in 0..4 {

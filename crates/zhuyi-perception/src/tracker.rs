@@ -19,7 +19,7 @@
 //! would lose everything (reading R16). Losing an actor that was never confirmed discards its filter and keeps its
 //! counts.
 
-use zhuyi_core::{ActorId, Detection, Frame, Road, SimTime, Track};
+use zhuyi_core::{ActorId, Detection, Frame, Pose, Road, SimTime, Track};
 
 use crate::Perception;
 use crate::belief::Belief;
@@ -189,6 +189,8 @@ impl File {
 
 /// Whether a camera has the whole box that is believed in before it, when it exposes.
 fn should_see(view: &mut View, exposed: SimTime, belief: &Belief, road: &Road) -> bool {
-    let pose = road.world_from_road(belief.place(exposed));
+    let (place, turn) = belief.place(exposed);
+    let aligned = road.world_from_road(place);
+    let pose = Pose::new(aligned.x, aligned.y, aligned.heading + turn);
     view.sees_alone(belief.footprint(), pose, WHOLE)
 }

@@ -4,7 +4,7 @@ use zhuyi_core::{Across, Body, Forecast, LaneChange, Track};
 
 /// [m] lateral distance below which `track` and the ego are in each other's way.
 pub(crate) fn reach(track: &Track, ego: &Body, margin: f64) -> f64 {
-    f64::midpoint(track.footprint.width, ego.footprint.width) + margin
+    track.extent.half_widths(ego.extent) + margin
 }
 
 /// [m] offset of the most likely future `ahead` seconds from now.

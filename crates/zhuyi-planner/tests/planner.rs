@@ -43,6 +43,8 @@ fn ego(speed: f64) -> Body {
         footprint: BOX,
         road,
         pose: Pose::new(100.0, 0.0, 0.0),
+        turn: 0.0,
+        extent: BOX,
         speed,
         accel: 0.0,
         s_rate: speed,
@@ -61,6 +63,8 @@ fn track(gap: f64, d: f64, speed: f64, d_rate: f64) -> Track {
             s: 100.0 + BOX.length + gap,
             d,
         },
+        turn: 0.0,
+        extent: BOX,
         s_rate: speed,
         s_accel: 0.0,
         d_rate,
@@ -77,6 +81,7 @@ fn forecast(track: &Track) -> Forecast {
             d: track.road.d,
             d_rate: track.d_rate,
         }],
+        extents: Vec::new(),
         known_until: f64::INFINITY,
     };
     Forecast {

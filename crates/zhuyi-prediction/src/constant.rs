@@ -46,6 +46,11 @@ pub(crate) mod tests {
                 width: 1.8,
             },
             road: Frenet { s: 0.0, d },
+            turn: 0.0,
+            extent: Footprint {
+                length: 4.6,
+                width: 1.8,
+            },
             s_rate,
             s_accel,
             d_rate,

@@ -19,6 +19,7 @@ impl<'a> Ways<'a> {
             let empty = Trajectory {
                 along: Vec::new(),
                 across: Vec::new(),
+                extents: Vec::new(),
                 known_until: f64::INFINITY,
             };
             self.list.push((weight, empty));

@@ -113,9 +113,7 @@ impl Run {
 
 /// Whether `actor` is ahead of the ego and overlaps it side to side.
 fn ahead(ego: &Body, actor: &Body) -> bool {
-    actor.rear() >= ego.front()
-        && (actor.road.d - ego.road.d).abs()
-            < f64::midpoint(actor.footprint.width, ego.footprint.width)
+    actor.rear() >= ego.front() && actor.overlaps_sideways(ego)
 }
 
 fn lower(least: &mut Option<f64>, value: f64) {

@@ -66,6 +66,7 @@ fn future(trace: &Trace, actor: usize) -> Trajectory {
     Trajectory {
         along,
         across,
+        extents: Vec::new(),
         known_until: end,
     }
 }

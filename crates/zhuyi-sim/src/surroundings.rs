@@ -23,7 +23,7 @@ pub fn surroundings<'a>(
     Surroundings { ego, bodies, path }
 }
 
-/// The body that a track speaks of, aligned with the road.
+/// The body that a track speaks of.
 ///
 /// 3 m/s forward and 4 m/s to the left are 5 m/s.
 /// ```
@@ -32,16 +32,21 @@ pub fn surroundings<'a>(
 /// # let track = Track {
 /// #     actor: ActorId(0), time: SimTime::ZERO, seen: SimTime::ZERO,
 /// #     footprint: Footprint { length: 4.0, width: 1.9 }, road: Frenet { s: 20.0, d: 1.0 },
+/// #     turn: 0.0,
+/// #     extent: Footprint { length: 4.0, width: 1.9 },
 /// #     s_rate: 3.0, s_accel: 0.0, d_rate: 4.0, s_deviation: 0.1, d_deviation: 0.1,
 /// # };
 /// let body = zhuyi_sim::believed(&track, &road);
 /// assert_eq!((body.speed, body.s_rate, body.road), (5.0, 3.0, track.road));
 /// ```
 pub fn believed(track: &Track, road: &Road) -> Body {
+    let aligned = road.world_from_road(track.road);
     Body {
         footprint: track.footprint,
         road: track.road,
-        pose: road.world_from_road(track.road),
+        pose: Pose::new(aligned.x, aligned.y, aligned.heading + track.turn),
+        turn: track.turn,
+        extent: track.extent,
         speed: track.s_rate.hypot(track.d_rate),
         accel: track.s_accel,
         s_rate: track.s_rate,

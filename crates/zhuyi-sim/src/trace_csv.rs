@@ -92,6 +92,11 @@ mod tests {
             },
             road: Frenet { s, d },
             pose: Pose::new(s, d, -1e-9),
+            turn: 0.0,
+            extent: Footprint {
+                length: 4.8,
+                width: 1.9,
+            },
             speed: 20.0,
             accel: -1.5,
             s_rate: 20.0,

@@ -150,6 +150,8 @@ mod tests {
             footprint: CAR,
             road: Frenet { s, d },
             pose: Pose::new(s, d, 0.0),
+            turn: 0.0,
+            extent: CAR,
             speed: 10.0,
             accel: 0.0,
             s_rate: 10.0,

@@ -30,6 +30,11 @@ fn law_the_visible_share_is_that_of_perception() {
                 rng.random_range(-spread..spread),
                 rng.random_range(-4.0..4.0),
             ),
+            turn: 0.0,
+            extent: Footprint {
+                length: rng.random_range(0.2..12.0),
+                width: rng.random_range(0.2..4.0),
+            },
             speed: 0.0,
             accel: 0.0,
             s_rate: 0.0,

@@ -157,6 +157,8 @@ impl Mover {
             footprint,
             road: Frenet { s, d },
             pose: Pose::new(at.x, at.y, at.heading + turn),
+            turn,
+            extent: footprint.turned(turn),
             speed: if d_rate == 0.0 {
                 along
             } else {
@@ -220,10 +222,8 @@ fn leader(me: &Body, scene: &Scene) -> Option<Leader> {
     // The actor is not ahead of itself.
     let mut nearest: Option<&Body> = None;
     for other in scene.actors.iter().chain(std::iter::once(&scene.ego)) {
-        let overlaps =
-            (other.road.d - me.road.d).abs() < 0.5 * (other.footprint.width + me.footprint.width);
         if other.road.s > me.road.s
-            && overlaps
+            && other.overlaps_sideways(me)
             && nearest.is_none_or(|nearest| other.rear() < nearest.rear())
         {
             nearest = Some(other);

@@ -259,6 +259,8 @@ impl Ego {
             footprint: vehicle.footprint,
             road: self.road,
             pose: Pose::new(at.x, at.y, at.heading + self.heading),
+            turn: self.heading,
+            extent: vehicle.footprint.turned(self.heading),
             speed: self.speed,
             accel: self.accel,
             s_rate: self.speed * cos / (1.0 - curvature * self.road.d),

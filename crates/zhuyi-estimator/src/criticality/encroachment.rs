@@ -39,7 +39,7 @@ use zhuyi_core::Footprint;
 /// let crossing = |s: f64, d: f64| {
 ///     let along = [Along::constant_accel(0.0, s, 0.0, 0.0)];
 ///     let across = [Across { time: 0.0, d, d_rate: 3.0 }];
-///     pet(&ego, car, &Future { along: &along, across: &across, known_until: 20.0, now: 0.0 }, 20.0).unwrap()
+///     pet(&ego, car, &Future { along: &along, across: &across, extents: &[], known_until: 20.0, now: 0.0 }, 20.0).unwrap()
 /// };
 /// assert!((crossing(34.0, -6.0) - 1.0 / 3.0).abs() < 1e-12);
 /// assert!((crossing(10.0, -12.0) - (10.0 / 3.0 - 1.4)).abs() < 1e-12);

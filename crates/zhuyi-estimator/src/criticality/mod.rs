@@ -139,7 +139,7 @@ impl Criticality {
 /// let ego = Ego { s: 0.0, d: 0.0, speed: 20.0, accel: 0.0, footprint: car };
 /// let along = [Along::constant_accel(0.0, 44.0, 10.0, 0.0)];
 /// let across = [Across { time: 0.0, d: 0.0, d_rate: 0.0 }];
-/// let future = Future { along: &along, across: &across, known_until: 20.0, now: 0.0 };
+/// let future = Future { along: &along, across: &across, extents: &[], known_until: 20.0, now: 0.0 };
 ///
 /// let found = criticality(&ego, car, &future, &Limits { max_decel: 5.0, ..Limits::default() });
 /// assert_eq!((found.ttc, found.ttc_2d, found.thw), (Some(4.0), Some(4.0), Some(2.0)));

@@ -1,9 +1,9 @@
 //! What is played is what is asked anew at each step.
 
-use crate::{Ego, Estimator, Grid, Params, Recording, Solver, State, Uncertainty};
+use crate::{Ego, Estimator, Future, Grid, Params, Recording, Solver, State, Uncertainty};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use zhuyi_core::{Across, Along, Footprint, Trajectory};
+use zhuyi_core::{Across, Along, Extent, Footprint, Trajectory};
 
 const CAR: Footprint = Footprint {
     length: 4.0,
@@ -11,7 +11,7 @@ const CAR: Footprint = Footprint {
 };
 
 /// A lead, or one that changes lanes, that changes its acceleration now and then.
-fn any_recording(rng: &mut ChaCha8Rng) -> Recording {
+fn any_recording(rng: &mut ChaCha8Rng, turning: bool) -> Recording {
     let gap = rng.random_range(1.0..80.0);
     let speed = rng.random_range(0.0..30.0);
     let mut along = vec![Along::constant_accel(0.0, gap + CAR.length, speed, 0.0)];
@@ -57,8 +57,37 @@ fn any_recording(rng: &mut ChaCha8Rng) -> Recording {
     Recording::new(Trajectory {
         along,
         across,
+        extents: if turning {
+            any_extents(rng)
+        } else {
+            Vec::new()
+        },
         known_until: 20.0,
     })
+}
+
+/// Of a box that keeps aligned, that is turned, or that turns: by itself, or while it changes lanes.
+fn any_extents(rng: &mut ChaCha8Rng) -> Vec<Extent> {
+    let mut turned = |time: f64| Extent {
+        time,
+        ..Extent::held(CAR.turned([0.0, 0.2, 3.0][rng.random_range(0..3)] * rng.random::<f64>()))
+    };
+    let mut pieces = vec![
+        turned(0.0),
+        turned(1.0),
+        turned(1.5),
+        turned(4.0),
+        turned(9.0),
+    ];
+    pieces.truncate([1, 2, 4, 5][rng.random_range(0..4)]);
+    for place in 1..pieces.len() {
+        let next = pieces[place];
+        let before = &mut pieces[place - 1];
+        let length = next.time - before.time;
+        before.along_rate = (next.along - before.along) / length;
+        before.across_rate = (next.across - before.across) / length;
+    }
+    pieces
 }
 
 fn any_params(rng: &mut ChaCha8Rng) -> Params {
@@ -88,6 +117,7 @@ fn asked_twice(params: Params, s: f64, across: &[(f64, f64)], steps: [[f64; 4]; 
     let recording = Recording::new(Trajectory {
         along: vec![Along::constant_accel(0.0, s, 0.0, 0.0)],
         across: pieces.collect(),
+        extents: Vec::new(),
         known_until: 20.0,
     });
     let estimator = Estimator::new(params);
@@ -130,13 +160,20 @@ fn regress_an_ego_that_jumps_back() {
     asked_twice(Params::default(), 85.8759, &[(0.0, 0.0)], steps);
 }
 
-#[test]
-fn law_what_is_played_is_what_is_asked_at_each_step() {
+/// How many questions were asked, answered tolerable, and answered by a proof made before.
+#[derive(Debug, Default)]
+struct Counts {
+    asked: u32,
+    tolerable: u32,
+    by_proof: u32,
+}
+
+fn play(recordings: u32, turning: bool) -> Counts {
     let mut rng = ChaCha8Rng::seed_from_u64(2022);
-    let (mut by_proof, mut asked, mut tolerable) = (0, 0, 0);
-    for _ in 0..4_000 {
+    let mut counts = Counts::default();
+    for _ in 0..recordings {
         let estimator = Estimator::new(any_params(&mut rng));
-        let recording = any_recording(&mut rng);
+        let recording = any_recording(&mut rng, turning);
         let mut playback = estimator.playback(&recording, CAR);
         let mut ego = Ego {
             s: 0.0,
@@ -152,6 +189,11 @@ fn law_what_is_played_is_what_is_asked_at_each_step() {
         let (mut now, mut current_latency) = (0.0, 1.0 / 30.0);
         for _ in 0..400 {
             let plain = estimator.recorded(&ego, CAR, &recording, now, current_latency);
+            if now < 1.0 {
+                let future = Future::new(recording.trajectory(), now);
+                let unrecorded = estimator.trajectory(&ego, CAR, &future, current_latency);
+                assert_eq!(unrecorded, plain, "{ego:?} at {now}");
+            }
             let before = playback.proof;
             let played = playback.tolerance(&ego, now, current_latency);
             assert_eq!(
@@ -160,9 +202,9 @@ fn law_what_is_played_is_what_is_asked_at_each_step() {
                 "{:?} {ego:?} at {now}",
                 estimator.params()
             );
-            asked += 1;
-            tolerable += u32::from(plain.state == State::Tolerable);
-            by_proof += u32::from(before.is_some() && before == playback.proof);
+            counts.asked += 1;
+            counts.tolerable += u32::from(plain.state == State::Tolerable);
+            counts.by_proof += u32::from(before.is_some() && before == playback.proof);
             let step = if rng.random_range(0..50) == 0 {
                 0.3
             } else {
@@ -187,9 +229,25 @@ fn law_what_is_played_is_what_is_asked_at_each_step() {
             }
         }
     }
-    assert!(tolerable > 500_000, "{tolerable} of {asked}");
+    counts
+}
+
+#[test]
+fn law_what_is_played_is_what_is_asked_at_each_step() {
+    let counts = play(4_000, false);
+    assert!(counts.tolerable > 500_000, "{counts:?}");
     assert!(
-        by_proof > 70_000 && by_proof < tolerable,
-        "{by_proof} of {tolerable}"
+        counts.by_proof > 70_000 && counts.by_proof < counts.tolerable,
+        "{counts:?}"
+    );
+}
+
+#[test]
+fn law_the_same_of_a_box_that_turns() {
+    let counts = play(2_000, true);
+    assert!(counts.tolerable > 200_000, "{counts:?}");
+    assert!(
+        counts.by_proof > 15_000 && counts.by_proof < counts.tolerable,
+        "{counts:?}"
     );
 }

@@ -88,7 +88,7 @@ impl SafetyModel for CutInRule {
     /// # let ego = Ego { s: 0.0, d: 0.0, speed: 20.0, accel: 0.0, footprint: car };
     /// # let along = [Along::constant_accel(0.0, 34.0, 10.0, 0.0)];
     /// # let across = [Across { time: 0.0, d: 0.0, d_rate: 0.0 }];
-    /// # let future = Future { along: &along, across: &across, known_until: 20.0, now: 0.0 };
+    /// # let future = Future { along: &along, across: &across, extents: &[], known_until: 20.0, now: 0.0 };
     /// let Reaction::Within(time) = CutInRule::default().reaction(&ego, car, &future) else { panic!() };
     /// assert!((time - 2.167).abs() < 5e-4);
     /// ```

@@ -66,7 +66,7 @@ impl SafetyModel for SafetyForceField {
     /// # let ego = Ego { s: 0.0, d: 0.0, speed: 12.0, accel: 0.0, footprint: car };
     /// # let along = [Along::constant_accel(0.0, 46.0, 0.0, 0.0)];
     /// # let across = [Across { time: 0.0, d: 0.0, d_rate: 0.0 }];
-    /// # let future = Future { along: &along, across: &across, known_until: 20.0, now: 0.0 };
+    /// # let future = Future { along: &along, across: &across, extents: &[], known_until: 20.0, now: 0.0 };
     /// let Reaction::Within(time) = SafetyForceField::default().reaction(&ego, car, &future) else { panic!() };
     /// assert!((time - 2.5).abs() < 1e-9);
     /// ```

@@ -94,6 +94,8 @@ fn body(s: f64, d: f64, speed: f64) -> Body {
         footprint: CAR,
         road: Frenet { s, d },
         pose: Pose::new(s, d, 0.0),
+        turn: 0.0,
+        extent: CAR,
         speed,
         accel: 0.0,
         s_rate: speed,

@@ -36,6 +36,8 @@ pub fn body(footprint: Footprint, s: f64, d: f64, speed: f64) -> Body {
         footprint,
         road: Frenet { s, d },
         pose: Pose::new(s, d, 0.0),
+        turn: 0.0,
+        extent: footprint,
         speed,
         accel: 0.0,
         s_rate: speed,

@@ -110,6 +110,11 @@ fn hand_a_track_brings_its_position() {
             width: 2.0,
         },
         road: Frenet::default(),
+        turn: 0.0,
+        extent: Footprint {
+            length: 4.0,
+            width: 2.0,
+        },
         s_rate: 0.0,
         s_accel: 0.0,
         d_rate: 0.0,

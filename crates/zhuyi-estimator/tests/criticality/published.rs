@@ -130,6 +130,7 @@ fn paper_times_to_brake_are_the_largest_delays_of_cut_ins() {
         let future = Future {
             along: &along,
             across: &across,
+            extents: &[],
             known_until: 0.0,
             now,
         };
@@ -205,6 +206,7 @@ fn law_recorded_traffic_keeps_the_ranges() {
                 let future = Future {
                     along: &along,
                     across: &across,
+                    extents: &[],
                     known_until: 0.0,
                     now: 0.0,
                 };

@@ -7,7 +7,7 @@
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
-use zhuyi_core::{Across, Along, Footprint};
+use zhuyi_core::{Across, Along, Extent, Footprint};
 use zhuyi_estimator::{Criterion, Grid, Params, Solver};
 
 use crate::oracle::latencies;
@@ -25,6 +25,7 @@ pub struct Case {
     pub actor_box: Footprint,
     pub along: Vec<Along>,
     pub across: Vec<Across>,
+    pub extents: Vec<Extent>,
     pub known_until: f64,
     pub now: f64,
     pub current_latency: f64,
@@ -86,6 +87,7 @@ impl Case {
             actor_box,
             along,
             across,
+            extents: Vec::new(),
             known_until,
             now,
             current_latency,
@@ -93,7 +95,18 @@ impl Case {
         let gap = case.draw_gap(dice);
         let actor_s = ego_s + f64::midpoint(ego_box.length, actor_box.length) + gap;
         case.shift(actor_s - holding(&case.along, |piece| piece.time, now).s_at(now));
+        if dice.chance(0.4) {
+            case.extents = turning(dice, actor_box, now);
+        }
         case
+    }
+
+    /// [m] half extents of the actor's box along and across the path at a time on the clock of the lists.
+    pub fn half_extents(&self, clock: f64) -> (f64, f64) {
+        if self.extents.is_empty() {
+            return (self.actor_box.length / 2.0, self.actor_box.width / 2.0);
+        }
+        holding(&self.extents, |piece| piece.time, clock).at(clock)
     }
 
     /// [m/s2] a_0; a stopped ego has none (R12).
@@ -172,6 +185,26 @@ impl Case {
             - other * (reaction + time);
         f64::max(1.0, closed / share)
     }
+}
+
+/// A box that turns from one heading to the next, or keeps one that is not the path's.
+fn turning(dice: &mut Dice, actor_box: Footprint, now: f64) -> Vec<Extent> {
+    let mut time = now + dice.between(-3.0, 3.0);
+    let mut pieces = vec![Extent {
+        time,
+        ..Extent::held(actor_box.turned(dice.between(-3.2, 3.2)))
+    }];
+    for _ in 0..dice.below(6) {
+        time += dice.between(0.2, 4.0);
+        let next = Extent::held(actor_box.turned(dice.between(-3.2, 3.2)));
+        let last = pieces.len() - 1;
+        let before = &mut pieces[last];
+        let length = time - before.time;
+        before.along_rate = (next.along - before.along) / length;
+        before.across_rate = (next.across - before.across) / length;
+        pieces.push(Extent { time, ..next });
+    }
+    pieces
 }
 
 fn draw_params(dice: &mut Dice) -> Params {

@@ -66,7 +66,6 @@ pub fn latencies(grid: Grid) -> Vec<f64> {
 impl<'a> Scan<'a> {
     pub fn new(case: &'a Case, step: f64) -> Self {
         let count = (case.params.horizon / step).round() as usize;
-        let half_widths = f64::midpoint(case.ego_box.width, case.actor_box.width);
         let ego_front = case.ego_s + case.ego_box.length / 2.0;
         let mut scan = Self {
             case,
@@ -90,12 +89,14 @@ impl<'a> Scan<'a> {
             let piece = case.along[along];
             let x = clock - piece.time;
             let centre = piece.s + piece.s_rate * x + piece.s_half_accel * x * x;
-            let gap = centre - case.actor_box.length / 2.0 - ego_front;
+            let (half_length, half_width) = case.half_extents(clock);
+            let half_widths = case.ego_box.width / 2.0 + half_width;
+            let gap = centre - half_length - ego_front;
 
             let inside = aside < half_widths + case.params.lateral_margin;
             if inside && !was_inside {
                 let held = travel(case.speed, case.held_accel(), time).0;
-                let actor_front = gap + case.actor_box.length;
+                let actor_front = gap + 2.0 * half_length;
                 let ego_rear = held - case.ego_box.length;
                 kept = actor_front >= ego_rear;
                 scan.alongside |= kept && gap < held;

@@ -182,6 +182,7 @@ impl Case {
         let future = Future {
             along: &self.along,
             across: &self.across,
+            extents: &[],
             known_until: self.known_until,
             now: self.now,
         };
@@ -204,6 +205,7 @@ impl Case {
         Trajectory {
             along: self.along.clone(),
             across: self.across.clone(),
+            extents: Vec::new(),
             known_until: self.known_until,
         }
     }

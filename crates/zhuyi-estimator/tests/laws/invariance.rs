@@ -287,6 +287,8 @@ fn body(dice: &mut Dice) -> Body {
         footprint,
         road,
         pose,
+        turn: 0.0,
+        extent: footprint,
         speed: 0.0,
         accel: 0.0,
         s_rate: 0.0,

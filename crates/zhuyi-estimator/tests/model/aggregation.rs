@@ -8,6 +8,7 @@ fn forecast(scenes: &[(f64, Scene)]) -> Forecast {
     let trajectory = |scene: &Scene| Trajectory {
         along: scene.along.clone(),
         across: scene.across.clone(),
+        extents: Vec::new(),
         known_until: 20.0,
     };
     let trajectories = scenes

@@ -17,6 +17,7 @@ fn hand_pieces_without_duration_rule_nothing_out() {
     let recording = Recording::new(Trajectory {
         along,
         across: vec![scene.across[0]; 100],
+        extents: Vec::new(),
         known_until: 20.0,
     });
     let estimator = Estimator::new(Params::default());
@@ -42,6 +43,7 @@ fn hand_a_moment_out_of_place_is_not_passed_over() {
     let recording = Recording::new(Trajectory {
         along,
         across,
+        extents: Vec::new(),
         known_until: 20.0,
     });
     let estimator = Estimator::new(Params::default());

@@ -71,6 +71,7 @@ impl Scene {
         Future {
             along: &self.along,
             across: &self.across,
+            extents: &[],
             known_until: self.now + 20.0,
             now: self.now,
         }

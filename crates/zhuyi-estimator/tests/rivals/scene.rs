@@ -49,6 +49,7 @@ impl Scene {
         Future {
             along: &self.along,
             across: &self.across,
+            extents: &[],
             known_until: 20.0,
             now: 0.0,
         }

@@ -110,6 +110,7 @@ impl Scene {
         Future {
             along: &self.along,
             across: &self.across,
+            extents: &[],
             known_until: f64::INFINITY,
             now: 0.0,
         }

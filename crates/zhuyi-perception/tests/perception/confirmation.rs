@@ -402,6 +402,7 @@ fn hand_an_older_exposure_that_arrives_later_changes_no_belief() {
     let strange = Detection {
         actor: CAR_0,
         road: Frenet { s: 90.0, d: 3.0 },
+        turn: 0.0,
         s_rate: 0.0,
         d_rate: 1.0,
         footprint: before.footprint,

@@ -49,6 +49,7 @@ pub fn perception(eyes: Vec<Eye>) -> Perception {
         noise_along: 0.0,
         noise_across: 0.0,
         noise_speed: 0.0,
+        noise_heading: 0.0,
         miss_rate: 0.0,
         latency_jitter: 0.0,
         drop_rate: 0.0,
@@ -64,6 +65,8 @@ pub fn body(s: f64, d: f64, speed: f64) -> Body {
         footprint: CAR,
         road: Frenet { s, d },
         pose: Pose::new(s, d, 0.0),
+        turn: 0.0,
+        extent: CAR,
         speed,
         accel: 0.0,
         s_rate: speed,
@@ -86,6 +89,9 @@ pub fn draws(seed: u64) -> impl FnMut(Purpose) -> ChaCha8Rng {
             Purpose::Phase(camera) => u64::from(camera.0),
             Purpose::Detection(camera, actor) => {
                 1000 * (u64::from(camera.0) + 1) + u64::from(actor.0)
+            }
+            Purpose::Heading(camera, actor) => {
+                3_000_000 + 1000 * u64::from(camera.0) + u64::from(actor.0)
             }
             Purpose::Latency(camera) => 1_000_000 + u64::from(camera.0),
             Purpose::Loss(camera) => 2_000_000 + u64::from(camera.0),

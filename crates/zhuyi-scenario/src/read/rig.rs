@@ -37,6 +37,7 @@ pub(super) fn perception(node: &Node, vehicle: Option<&Vehicle>) -> Option<Rig> 
             noise_along: fields.number("noise_along_m", within(0.0, 10.0)),
             noise_across: fields.number("noise_across_m", within(0.0, 10.0)),
             noise_speed: fields.number("noise_speed_mps", within(0.0, 10.0)),
+            noise_heading: fields.number_or("noise_heading_rad", within(0.0, 1.0), 0.01),
             miss_rate: fields.number("miss_rate", within(0.0, 1.0)),
             latency_jitter: fields
                 .number_or("latency_jitter_ms", within(0.0, 10_000.0), 0.0)

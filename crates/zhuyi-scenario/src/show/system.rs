@@ -69,6 +69,7 @@ fn perception(system: &System) -> Value {
         ("noise_along_m", Number(perception.noise_along)),
         ("noise_across_m", Number(perception.noise_across)),
         ("noise_speed_mps", Number(perception.noise_speed)),
+        ("noise_heading_rad", Number(perception.noise_heading)),
         ("miss_rate", Number(perception.miss_rate)),
         ("latency_jitter_ms", milliseconds(perception.latency_jitter)),
         ("drop_rate", Number(perception.drop_rate)),

@@ -1,6 +1,6 @@
 //! When each stage of a collision was reached, from the trace and what the run knew. The stages are told in the parent module.
 
-use zhuyi_core::{ActorId, Body, Manoeuvre, SimTime, Track};
+use zhuyi_core::{ActorId, Manoeuvre, SimTime, Track};
 use zhuyi_perception::View;
 use zhuyi_planner::Planner;
 use zhuyi_scenario::{Scenario, System};
@@ -173,7 +173,7 @@ impl Chain<'_> {
             .trace
             .rows()
             .map(|row| {
-                let track = exact(self.actor, row.time, &row.actors[self.actor.index()]);
+                let track = Track::exact(self.actor, row.time, &row.actors[self.actor.index()]);
                 let forecast = self.system.predictor.forecast(&track, road);
                 let command = planner.plan(row.time, row.ego, &[track], &[forecast]);
                 command.manoeuvre != Manoeuvre::Follow
@@ -202,20 +202,4 @@ impl Chain<'_> {
 fn began(rows: usize, holds: impl Fn(usize) -> bool) -> Option<usize> {
     let count = (0..rows).rev().take_while(|row| holds(*row)).count();
     (count > 0).then(|| rows - count)
-}
-
-/// An actor known exactly and at once.
-fn exact(actor: ActorId, time: SimTime, body: &Body) -> Track {
-    Track {
-        actor,
-        time,
-        seen: time,
-        footprint: body.footprint,
-        road: body.road,
-        s_rate: body.s_rate,
-        s_accel: body.accel,
-        d_rate: body.d_rate,
-        s_deviation: 0.0,
-        d_deviation: 0.0,
-    }
 }
