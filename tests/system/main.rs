@@ -6,17 +6,21 @@
 //! | `criteria` | what the nine ask for under each criterion of the estimator (`--ignored`) |
 //! | `cut_out` | the side actors block the evasion; the lead's occlusion is what the cut-out asks for |
 //! | `repeatable` | the same run gives the same bits; runs that differ in rates alone share their draws |
+//! | `processors` | the same run gives the same bits whatever instructions the processor has |
 //! | `physics` | nothing reverses, jumps or passes through anything in any of the nine |
 //! | `knowledge` | the planner acts on confirmed tracks alone |
 //! | `scheduling` | every policy drives within its budget; the estimate in the loop |
 //!
 //! The command itself is tested in `crates/zhuyi-cli/tests`, where Cargo hands over the real binary.
 
+#![allow(clippy::disallowed_methods)] // Of the standard library: no result depends on these.
+
 mod architecture;
 mod criteria;
 mod cut_out;
 mod knowledge;
 mod physics;
+mod processors;
 mod repeatable;
 mod scheduling;
 

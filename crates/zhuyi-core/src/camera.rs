@@ -86,7 +86,7 @@ pub struct Sector {
 impl Sector {
     /// The sector of a camera at `pose` (from [`Camera::pose`]).
     pub fn new(camera: &Camera, pose: Pose) -> Self {
-        let (eye, half) = (Axes::new(pose), (camera.fov / 2.0).sin_cos());
+        let (eye, half) = (Axes::new(pose), libm::sincos(camera.fov / 2.0));
         Self {
             eye: pose.point(),
             axis: (eye.cos, eye.sin),

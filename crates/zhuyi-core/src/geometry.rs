@@ -177,7 +177,7 @@ impl Footprint {
 
     /// [m] radius of the circle around the box.
     pub fn radius(self) -> f64 {
-        self.length.hypot(self.width) / 2.0
+        libm::hypot(self.length, self.width) / 2.0
     }
 }
 
@@ -185,14 +185,14 @@ impl Footprint {
 ///
 /// ```
 /// use zhuyi_core::geometry::sin_cos;
-/// assert_eq!([sin_cos(0.0), sin_cos(0.3)], [0.0_f64.sin_cos(), 0.3_f64.sin_cos()]);
+/// assert_eq!([sin_cos(0.0), sin_cos(0.3)], [libm::sincos(0.0), libm::sincos(0.3)]);
 /// ```
 #[inline]
 pub fn sin_cos(angle: f64) -> (f64, f64) {
     if angle == 0.0 {
         (angle, 1.0)
     } else {
-        angle.sin_cos()
+        libm::sincos(angle)
     }
 }
 

@@ -65,7 +65,7 @@ impl Idm {
     /// assert!((a + 16.0 / 81.0).abs() < 1e-12);
     /// ```
     pub fn accel(&self, v: f64, leader: Option<Leader>) -> f64 {
-        let free = 1.0 - self.share_of_desired(v).powf(self.exponent);
+        let free = 1.0 - power(self.share_of_desired(v), self.exponent);
         let interaction = leader.map_or(0.0, |l| {
             (self.wanted_gap(v, l.speed) / l.gap.max(f64::MIN_POSITIVE)).powi(2)
         });
@@ -93,9 +93,9 @@ impl Idm {
     pub fn improved_free_accel(&self, v: f64) -> f64 {
         let (a, b, v0) = (self.max_accel, self.comfortable_decel, self.desired_speed);
         if v <= v0 {
-            a * (1.0 - self.share_of_desired(v).powf(self.exponent))
+            a * (1.0 - power(self.share_of_desired(v), self.exponent))
         } else {
-            -b * (1.0 - (v0 / v).powf(a * self.exponent / b))
+            -b * (1.0 - libm::pow(v0 / v, a * self.exponent / b))
         }
     }
 
@@ -106,7 +106,7 @@ impl Idm {
         match (v <= v0, z >= 1.0) {
             (true, true) => a * (1.0 - z * z),
             (true, false) if free <= 0.0 => free,
-            (true, false) => free * (1.0 - z.powf(2.0 * a / free)),
+            (true, false) => free * (1.0 - libm::pow(z, 2.0 * a / free)),
             (false, true) => free + a * (1.0 - z * z),
             (false, false) => free,
         }
@@ -135,7 +135,18 @@ impl Idm {
     /// assert!((driver.plain_steady_gap(20.0) - 36.443).abs() < 0.02); // Treiber et al. 2000
     /// ```
     pub fn plain_steady_gap(&self, v: f64) -> f64 {
-        self.steady_gap(v) / (1.0 - (v / self.desired_speed).powf(self.exponent)).sqrt()
+        self.steady_gap(v) / (1.0 - power(v / self.desired_speed, self.exponent)).sqrt()
+    }
+}
+
+/// Returns `base` to the power of `exponent`; the usual exponent of 4 by two squarings.
+#[inline]
+fn power(base: f64, exponent: f64) -> f64 {
+    if exponent == 4.0 {
+        let square = base * base;
+        square * square
+    } else {
+        libm::pow(base, exponent)
     }
 }
 

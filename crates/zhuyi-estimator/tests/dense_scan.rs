@@ -19,6 +19,8 @@
 //!
 //! Leaves out: the solver `paper`, aggregation and cameras.
 
+#![allow(clippy::disallowed_methods)] // Of the standard library: no result depends on these.
+
 #[path = "dense_scan/case.rs"]
 mod case;
 #[path = "dense_scan/oracle.rs"]

@@ -53,7 +53,7 @@ impl Evidence {
             self.drives - self.collided
         };
         // B(k + 2, m + 1) = B(k + 1, m + 1) · (k + 1) / (n + 2)
-        self.ln_beta += (f64::from(same + 1) / f64::from(self.drives + 2)).ln();
+        self.ln_beta += libm::log(f64::from(same + 1) / f64::from(self.drives + 2));
         self.drives += 1;
         self.collided += u32::from(collided);
     }
@@ -94,11 +94,11 @@ impl Evidence {
         // 0 · ln 0 is 0 here, as 0^0 is 1.
         let log = |count: u32, chance: f64| match count {
             0 => 0.0,
-            count => f64::from(count) * chance.ln(),
+            count => f64::from(count) * libm::log(chance),
         };
         let clean = self.drives - self.collided;
         let likelihood = log(self.collided, chance) + log(clean, 1.0 - chance);
-        self.ln_beta - likelihood >= -ALPHA.ln()
+        self.ln_beta - likelihood >= -libm::log(ALPHA)
     }
 }
 

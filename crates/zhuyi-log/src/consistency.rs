@@ -87,12 +87,12 @@ impl Consistency {
             driven += f64::midpoint(before.speed, row.speed) * passed;
             before = row;
             let (x, y) = (row.pose.x - from.pose.x, row.pose.y - from.pose.y);
-            let length = x.hypot(y);
+            let length = libm::hypot(x, y);
             if length < LEAST {
                 continue;
             }
             stretches += 1;
-            let turn = turn([from, row], y.atan2(x), driven < 0.0);
+            let turn = turn([from, row], libm::atan2(y, x), driven < 0.0);
             turns.extend(turn);
             // Division by nothing gives infinity, which is no agreement either.
             let ratio = length / driven.abs();

@@ -36,6 +36,7 @@
 //! assert_eq!(first.actors[0].estimate.extrapolated, 19.5);
 //! # Ok::<(), zhuyi_log::Invalid>(())
 //! ```
+#![cfg_attr(test, allow(clippy::disallowed_methods))] // Of the standard library: no result depends on these.
 #![doc = include_str!("recordings.md")]
 
 pub mod consistency;

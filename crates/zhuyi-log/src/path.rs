@@ -65,14 +65,14 @@ pub(crate) struct Foot {
 impl Foot {
     /// [m/s] what a speed in the direction of `heading` is along the path and across it.
     pub fn along_across(&self, speed: f64, heading: f64) -> (f64, f64) {
-        let ((sin, cos), (x, y)) = (heading.sin_cos(), self.direction);
+        let ((sin, cos), (x, y)) = (libm::sincos(heading), self.direction);
         (speed * (cos * x + sin * y), speed * (sin * x - cos * y))
     }
 
     /// [rad] the angle of a `heading` against the path, in (-π, π].
     pub fn turn(&self, heading: f64) -> f64 {
         let (x, y) = self.direction;
-        wrap_angle(heading - y.atan2(x))
+        wrap_angle(heading - libm::atan2(y, x))
     }
 }
 
@@ -87,7 +87,7 @@ pub(crate) struct Straight {
 impl Straight {
     /// Along the heading of a pose.
     pub fn through(pose: Pose, s: f64) -> Self {
-        let (sin, cos) = pose.heading.sin_cos();
+        let (sin, cos) = libm::sincos(pose.heading);
         Self {
             point: pose.point(),
             s,
@@ -131,7 +131,7 @@ impl Path {
             }
             end = Some(pose.heading);
         }
-        let (sin, cos) = f64::sin_cos(end?);
+        let (sin, cos) = libm::sincos(end?);
         Some(Self {
             end: (vertices.last()?.point, (cos, sin)),
             vertices,

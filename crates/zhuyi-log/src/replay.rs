@@ -104,7 +104,7 @@ impl Frame<'_> {
 
 fn on_road(road: &Road, point: Point) -> Foot {
     let Frenet { s, d } = road.road_from_world(point);
-    let (sin, cos) = road.heading(s).sin_cos();
+    let (sin, cos) = libm::sincos(road.heading(s));
     Foot {
         s,
         d,

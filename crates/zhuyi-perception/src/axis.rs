@@ -257,8 +257,8 @@ mod tests {
     #[test]
     fn law_the_filter_is_its_equations_to_the_last_bit() {
         let measured = |k: f64| Measurement {
-            position: 20.0 * k + k.sin(),
-            speed: 20.0 + (3.0 * k).cos(),
+            position: 20.0 * k + libm::sin(k),
+            speed: 20.0 + libm::cos(3.0 * k),
             position_deviation: 0.3,
             speed_deviation: 0.4,
         };
@@ -279,8 +279,8 @@ mod tests {
     fn law_two_lanes_are_two_filters_to_the_last_bit() {
         let measured = |k: f64| {
             [0.0, 1.0].map(|lane| Measurement {
-                position: 20.0 * k + (k + lane).sin(),
-                speed: 20.0 + (3.0 * k + lane).cos(),
+                position: 20.0 * k + libm::sin(k + lane),
+                speed: 20.0 + libm::cos(3.0 * k + lane),
                 position_deviation: 0.3 * lane,
                 speed_deviation: 0.4,
             })

@@ -80,7 +80,7 @@ impl View {
     pub(crate) fn aim(&mut self, camera: &Camera, ego: Pose) {
         if self.fov != camera.fov {
             self.fov = camera.fov;
-            self.half_fov = (camera.fov / 2.0).sin_cos();
+            self.half_fov = libm::sincos(camera.fov / 2.0);
         }
         let pose = camera.pose(ego);
         // On a straight road the heading stays.
@@ -214,7 +214,7 @@ impl Outline {
         let (x, y) = pose.local(eye.point());
         let heading = eye.heading - pose.heading;
         let [l, w] = [footprint.length / 2.0, footprint.width / 2.0];
-        let distance = (x.abs() - l).max(0.0).hypot((y.abs() - w).max(0.0));
+        let distance = libm::hypot((x.abs() - l).max(0.0), (y.abs() - w).max(0.0));
         let (bearing, right, left) = if distance > 0.0 {
             // The box spans less than half a turn: of two of its points the one to the right is told by a product.
             let centre = (-x, -y);
@@ -228,7 +228,7 @@ impl Outline {
                     leftmost = corner;
                 }
             }
-            let bearing = wrap_angle(centre.1.atan2(centre.0) - heading);
+            let bearing = wrap_angle(libm::atan2(centre.1, centre.0) - heading);
             (bearing, turn(centre, rightmost), turn(centre, leftmost))
         } else {
             (0.0, -PI, PI)
@@ -255,7 +255,7 @@ impl Outline {
 
     /// Distance at which a ray at a bearing enters the box, for a ray that meets it (slab test).
     fn entry(&self, bearing: f64) -> f64 {
-        let (sin, cos) = (self.heading + bearing).sin_cos();
+        let (sin, cos) = libm::sincos(self.heading + bearing);
         let [x, y] = self.eye;
         let [half_length, half_width] = self.half_size;
         let lengthwise = (-half_length.copysign(cos) - x) / cos;
@@ -270,7 +270,7 @@ fn cross(a: (f64, f64), b: (f64, f64)) -> f64 {
 
 /// The angle from one direction to another, counter-clockwise.
 fn turn(from: (f64, f64), to: (f64, f64)) -> f64 {
-    cross(from, to).atan2(from.0 * to.0 + from.1 * to.1)
+    libm::atan2(cross(from, to), from.0 * to.0 + from.1 * to.1)
 }
 
 /// The length of the union of some intervals.

@@ -97,12 +97,12 @@ impl<const N: usize> NoiseStream<N> {
 /// Two independent standard normal numbers from two uniform ones.
 ///
 /// ```
-/// let (z1, z2) = zhuyi_perception::stream::normal_pair(1.0 - (-0.5_f64).exp(), 0.25);
+/// let (z1, z2) = zhuyi_perception::stream::normal_pair(1.0 - libm::exp(-0.5), 0.25);
 /// assert!(z1.abs() < 1e-15 && (z2 - 1.0).abs() < 1e-15);
 /// ```
 pub fn normal_pair(u1: f64, u2: f64) -> (f64, f64) {
-    let radius = (-2.0 * (1.0 - u1).ln()).sqrt();
-    let (sin, cos) = (TAU * u2).sin_cos();
+    let radius = (-2.0 * libm::log(1.0 - u1)).sqrt();
+    let (sin, cos) = libm::sincos(TAU * u2);
     (radius * cos, radius * sin)
 }
 

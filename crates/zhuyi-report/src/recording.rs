@@ -210,7 +210,7 @@ impl Recording<'_> {
                 accel: body.accel,
                 footprint: body.footprint,
                 visible,
-                distance: dx.hypot(dy),
+                distance: libm::hypot(dx, dy),
                 gap,
                 ttc,
                 latencies,

@@ -47,7 +47,7 @@ pub fn believed(track: &Track, road: &Road) -> Body {
         pose: Pose::new(aligned.x, aligned.y, aligned.heading + track.turn),
         turn: track.turn,
         extent: track.extent,
-        speed: track.s_rate.hypot(track.d_rate),
+        speed: libm::hypot(track.s_rate, track.d_rate),
         accel: track.s_accel,
         s_rate: track.s_rate,
         d_rate: track.d_rate,

@@ -4,6 +4,8 @@
 //! - with a phantom the demand rises before the obstacle of a cut-out comes into sight, without it does not: in hindsight,
 //!   and in the loop from tracks.
 
+#![allow(clippy::disallowed_methods)] // Of the standard library: no result depends on these.
+
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use zhuyi_core::{Body, Camera, Footprint, FrameRates, Frenet, Pose, Scene, SimTime};

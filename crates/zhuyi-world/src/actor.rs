@@ -151,7 +151,7 @@ impl Mover {
         let (d_rate, turn) = if rate == 0.0 {
             (rate, 0.0)
         } else {
-            (rate * pace(along), rate.atan2(along.max(BY_THE_WAY)))
+            (rate * pace(along), libm::atan2(rate, along.max(BY_THE_WAY)))
         };
         Body {
             footprint,
@@ -162,7 +162,7 @@ impl Mover {
             speed: if d_rate == 0.0 {
                 along
             } else {
-                along.hypot(d_rate)
+                libm::hypot(along, d_rate)
             },
             accel: self.accel,
             s_rate: along / (1.0 - curvature * d),

@@ -283,7 +283,7 @@ impl Encounter {
         let heading = fraction * self.ego_turn;
         let centre = into_frame(heading, self.centre(fraction));
         let moved = into_frame(heading, self.moved);
-        let lever = centre.0.hypot(centre.1) + 2.0 * moved.0.hypot(moved.1);
+        let lever = libm::hypot(centre.0, centre.1) + 2.0 * libm::hypot(moved.0, moved.1);
         let (ego, other) = ((self.ego_turn, self.other), (self.other_turn, self.ego));
         let axes = axes(self.ego, self.other, self.askew + fraction * relative_turn);
         let mut longest = 0.0;

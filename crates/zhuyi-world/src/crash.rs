@@ -129,7 +129,7 @@ pub fn crash(bodies: &[CrashBody], contact: &Contact) -> Result<Crash, CrashErro
         side: contact.side,
         actor: contact.actor,
         impact_speed: (-(normal.0 * closing.0 + normal.1 * closing.1)).max(0.0),
-        relative_speed: relative.0.hypot(relative.1),
+        relative_speed: libm::hypot(relative.0, relative.1),
         ego: pile_up.rest(ego),
         other: pile_up.rest(other),
         further: pile_up.further(),

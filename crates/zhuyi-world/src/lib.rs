@@ -8,6 +8,8 @@
 //! [`World::step`] moves everything by one step; [`World::scene_at`], or [`World::actor_at`] of one actor, tells the truth at any
 //! instant within the last step, by the very motion of that step, so that a camera's exposure needs no rounding to steps.
 
+#![cfg_attr(test, allow(clippy::disallowed_methods))] // Of the standard library: no result depends on these.
+
 pub mod actor;
 pub mod contact;
 pub mod crash;

@@ -58,10 +58,10 @@ impl Vehicle {
     /// # let car = zhuyi_world::Vehicle { footprint: Footprint { length: 4.8, width: 1.9 }, mass: 1800.0, wheelbase: 2.8,
     /// #   accel_lag: 0.1, max_jerk: 50.0, max_accel: 3.0, max_decel: 9.0, friction: 0.9, steering_lag: 0.1,
     /// #   max_steering: 0.6, max_steering_rate: 0.7 };
-    /// assert!((car.slip_angle(0.2f64.atan()) - 0.1f64.atan()).abs() < 1e-15);
+    /// assert!((car.slip_angle(libm::atan(0.2)) - libm::atan(0.1)).abs() < 1e-15);
     /// ```
     pub fn slip_angle(&self, steering: f64) -> f64 {
-        (steering.tan() / 2.0).atan()
+        libm::atan(libm::tan(steering) / 2.0)
     }
 
     /// [1/m] curvature of the centre's path at a steering angle: sin(β) / l_r.
@@ -81,24 +81,20 @@ impl Vehicle {
         let slip = self.slip_angle(steering);
         Turn {
             slip,
-            curvature: slip.sin() / (self.wheelbase / 2.0),
+            curvature: libm::sin(slip) / (self.wheelbase / 2.0),
         }
     }
 
     /// [rad] the steering angle that gives a curvature, within the steering's limits; inverse of [`Vehicle::path_curvature`].
     pub fn steering_for(&self, curvature: f64) -> f64 {
-        let slip = (curvature * self.wheelbase / 2.0)
-            .clamp(-0.999, 0.999)
-            .asin();
-        (2.0 * slip.tan())
-            .atan()
-            .clamp(-self.max_steering, self.max_steering)
+        let slip = libm::asin((curvature * self.wheelbase / 2.0).clamp(-0.999, 0.999));
+        libm::atan(2.0 * libm::tan(slip)).clamp(-self.max_steering, self.max_steering)
     }
 
     /// [m/s2] the acceleration that follows on `accel` after `dt` seconds under the command `wanted`.
     fn lagged_accel(&self, accel: f64, wanted: f64, dt: f64) -> f64 {
         let wanted = wanted.clamp(-self.max_decel, self.max_accel);
-        let change = (wanted - accel) * (1.0 - (-dt / self.accel_lag).exp());
+        let change = (wanted - accel) * (1.0 - libm::exp(-dt / self.accel_lag));
         let limit = self.max_jerk * dt;
         (accel + change.clamp(-limit, limit))
             .clamp(-self.friction * GRAVITY, self.friction * GRAVITY)
@@ -125,7 +121,7 @@ impl Vehicle {
             f64::INFINITY
         };
         let wanted = self.steering_for(curvature.clamp(-most, most));
-        let change = (wanted - steering) * (1.0 - (-dt / self.steering_lag).exp());
+        let change = (wanted - steering) * (1.0 - libm::exp(-dt / self.steering_lag));
         let limit = self.max_steering_rate * dt;
         let held = self.steering_for(most);
         (steering + change.clamp(-limit, limit)).clamp(-held, held)

@@ -246,6 +246,6 @@ impl<'a> World<'a> {
 
 /// [m/s] a speed along a heading, in the world.
 fn velocity(pose: Pose, speed: f64) -> (f64, f64) {
-    let (sin, cos) = pose.heading.sin_cos();
+    let (sin, cos) = libm::sincos(pose.heading);
     (speed * cos, speed * sin)
 }

@@ -1,5 +1,7 @@
 //! Scripted and reactive actors, each behaviour, trigger and action by a case worked by hand.
 
+#![allow(clippy::disallowed_methods)] // Of the standard library: no result depends on these.
+
 use zhuyi_core::idm::Idm;
 use zhuyi_core::{
     ActorId, Command, Footprint, Frenet, Lane, Manoeuvre as Doing, Pose, Road, Segment, SimTime,

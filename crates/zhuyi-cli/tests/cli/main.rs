@@ -16,6 +16,7 @@
 //! | `schemas` | `schema`: the documents and tables that commands write are what their schemas say |
 //! | `places` | where results go: unwritable, full, closed, interrupted |
 
+#![allow(clippy::disallowed_methods)] // Of the standard library: no result depends on these.
 #![expect(clippy::unwrap_used, reason = "a test may")]
 
 mod batches;

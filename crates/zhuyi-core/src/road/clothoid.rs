@@ -97,7 +97,7 @@ impl Clothoid {
         let half = (u - from) / 2.0;
         let Point { mut x, mut y } = self.knots[knot];
         for (node, weight) in QUADRATURE {
-            let (sin, cos) = self.heading(from + half * (1.0 + node)).sin_cos();
+            let (sin, cos) = libm::sincos(self.heading(from + half * (1.0 + node)));
             x += half * weight * cos;
             y += half * weight * sin;
         }

@@ -78,7 +78,7 @@ impl Shape {
             Self::Line => Pose::new(u, 0.0, 0.0),
             Self::Arc { curvature } => {
                 let half = curvature * u / 2.0;
-                let (sin, cos) = half.sin_cos();
+                let (sin, cos) = libm::sincos(half);
                 let chord = if half == 0.0 { u } else { u * (sin / half) };
                 Pose::new(chord * cos, chord * sin, 2.0 * half)
             }
@@ -107,7 +107,7 @@ impl Shape {
 impl Piece {
     /// A shape that starts at `s` of the road and at `origin` in the world and covers `from..=to` of its `u`.
     pub(super) fn new(start: f64, origin: Pose, shape: Shape, from: f64, to: f64) -> Self {
-        let (sin, cos) = origin.heading.sin_cos();
+        let (sin, cos) = libm::sincos(origin.heading);
         Self {
             start,
             origin,
@@ -170,7 +170,7 @@ impl Piece {
                 }
             }
             Shape::Arc { curvature } => {
-                let turned = (curvature * x).atan2(1.0 - curvature * y);
+                let turned = libm::atan2(curvature * x, 1.0 - curvature * y);
                 // Of the turns that look the same, the one nearest to the middle of the arc.
                 let middle = curvature * f64::midpoint(self.from, self.to);
                 let u = (middle + wrap_angle(turned - middle)) / curvature;

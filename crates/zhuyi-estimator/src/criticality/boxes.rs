@@ -37,7 +37,7 @@ pub struct MovingBox {
 impl MovingBox {
     /// A box that moves where it points.
     pub fn ahead(footprint: Footprint, pose: Pose, speed: f64) -> Self {
-        let (sin, cos) = pose.heading.sin_cos();
+        let (sin, cos) = libm::sincos(pose.heading);
         Self {
             footprint,
             pose,
@@ -48,7 +48,7 @@ impl MovingBox {
 
     /// Half the length of its shadow on the unit vector (x, y).
     fn reach(&self, (x, y): (f64, f64)) -> f64 {
-        let (sin, cos) = self.pose.heading.sin_cos();
+        let (sin, cos) = libm::sincos(self.pose.heading);
         let (along, across) = (x * cos + y * sin, y * cos - x * sin);
         let Footprint { length, width } = self.footprint;
         f64::midpoint(along.abs() * length, across.abs() * width)
@@ -75,7 +75,7 @@ pub fn first_contact(one: &MovingBox, other: &MovingBox) -> Option<f64> {
     let (vx, vy) = (other.vx - one.vx, other.vy - one.vy);
     let mut overlap = Some(ALWAYS);
     for heading in [one.pose.heading, other.pose.heading] {
-        let (sin, cos) = heading.sin_cos();
+        let (sin, cos) = libm::sincos(heading);
         for axis in [(cos, sin), (-sin, cos)] {
             let reach = one.reach(axis) + other.reach(axis);
             let shadow = slab(dx * axis.0 + dy * axis.1, vx * axis.0 + vy * axis.1, reach);

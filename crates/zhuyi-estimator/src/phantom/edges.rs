@@ -73,7 +73,7 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
     ) -> Self {
         let ranges = rig
             .iter()
-            .map(|Watch { camera, .. }| camera.range + camera.forward.hypot(camera.left));
+            .map(|Watch { camera, .. }| camera.range + libm::hypot(camera.forward, camera.left));
         let from = around.ego.front() + params.footprint.length / 2.0;
         Self {
             around,
@@ -156,7 +156,7 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
         let pose = (self.around.path)(s);
         let in_range = |camera: &Camera| {
             let eye = camera.pose(self.around.ego.pose);
-            let distance = (pose.x - eye.x).hypot(pose.y - eye.y);
+            let distance = libm::hypot(pose.x - eye.x, pose.y - eye.y);
             distance - self.params.footprint.radius() <= camera.range
         };
         s - self.from > self.reach && !self.rig.iter().any(|watch| in_range(watch.camera))

@@ -37,7 +37,7 @@ pub(super) struct Outline {
 
 impl Outline {
     pub fn new(eye: Pose, footprint: Footprint, pose: Pose) -> Self {
-        let bearing_of = |point: Point| (point.y - eye.y).atan2(point.x - eye.x) - eye.heading;
+        let bearing_of = |point: Point| libm::atan2(point.y - eye.y, point.x - eye.x) - eye.heading;
         let bearing = wrap_angle(bearing_of(pose.point()));
         let half = (footprint.length / 2.0, footprint.width / 2.0);
         let place = pose.local(eye.point());
@@ -45,7 +45,7 @@ impl Outline {
             (place.0.abs() - half.0).max(0.0),
             (place.1.abs() - half.1).max(0.0),
         );
-        let distance = beyond.0.hypot(beyond.1);
+        let distance = libm::hypot(beyond.0, beyond.1);
         let (mut right, mut left) = (0.0, 0.0);
         if distance == 0.0 {
             // From inside it is all around.
@@ -121,7 +121,7 @@ impl Outline {
             TAU - fov / 2.0 - self.bearing,
             &|_| true,
         );
-        let around = (self.from_eye, self.half.0.hypot(self.half.1));
+        let around = (self.from_eye, libm::hypot(self.half.0, self.half.1));
         for body in bodies {
             let place = body.pose.point();
             let other = ((place.x - eye.x, place.y - eye.y), body.footprint.radius());
@@ -138,7 +138,7 @@ impl Outline {
 
     /// [m] where a ray at a bearing enters the box, for a ray that meets it: behind the last of the four lines.
     fn entry(&self, bearing: f64) -> f64 {
-        let (sin, cos) = (self.heading + bearing).sin_cos();
+        let (sin, cos) = libm::sincos(self.heading + bearing);
         let lengthwise = (-self.half.0.copysign(cos) - self.eye.0) / cos;
         let sideways = (-self.half.1.copysign(sin) - self.eye.1) / sin;
         lengthwise.max(sideways).max(0.0)
@@ -149,7 +149,7 @@ impl Outline {
 /// lies behind the first. Most bodies are told from a box by this alone, without an angle.
 fn apart(first: ((f64, f64), f64), second: ((f64, f64), f64)) -> bool {
     let (((x, y), radius), ((other_x, other_y), other_radius)) = (first, second);
-    let (distance, other_distance) = (x.hypot(y), other_x.hypot(other_y));
+    let (distance, other_distance) = (libm::hypot(x, y), libm::hypot(other_x, other_y));
     if other_distance - other_radius > distance + radius {
         return true;
     }
@@ -197,5 +197,8 @@ fn out_of_reach(camera: &Camera, (distance, bearing): (f64, f64), radius: f64) -
 /// [m] how far the centre of a box is, and [rad] its bearing.
 fn polar(eye: Pose, pose: Pose) -> (f64, f64) {
     let (x, y) = (pose.x - eye.x, pose.y - eye.y);
-    (x.hypot(y), wrap_angle(y.atan2(x) - eye.heading))
+    (
+        libm::hypot(x, y),
+        wrap_angle(libm::atan2(y, x) - eye.heading),
+    )
 }

@@ -5,6 +5,8 @@
 //! - `edges`: every one of them, against a plain scan of the path;
 //! - `evasion`: to the side instead of braking, against a plain scan of its rule.
 
+#![allow(clippy::disallowed_methods)] // Of the standard library: no result depends on these.
+
 mod edges;
 mod evasion;
 mod phantom;

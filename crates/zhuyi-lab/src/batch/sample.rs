@@ -113,7 +113,7 @@ fn standard_normal(x: f64) -> f64 {
         odd += 2.0;
         term *= x * x / odd;
     }
-    let density = (-x * x / 2.0).exp() / (2.0 * std::f64::consts::PI).sqrt();
+    let density = libm::exp(-x * x / 2.0) / (2.0 * std::f64::consts::PI).sqrt();
     0.5 + density * sum
 }
 

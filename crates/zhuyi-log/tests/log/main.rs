@@ -7,6 +7,7 @@
 //! | `plain` | the same questions asked one by one, in the plainest way |
 //! | `recordings` | real traffic, every vehicle as the ego, and the figures of the crate's page |
 
+#![allow(clippy::disallowed_methods)] // Of the standard library: no result depends on these.
 #![expect(clippy::unwrap_used, reason = "a test may")]
 
 mod bad_rows;

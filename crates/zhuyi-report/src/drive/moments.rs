@@ -126,7 +126,7 @@ impl<'a> Worst<'a> {
     pub fn belief(&mut self, row: &Row<'_>, actor: usize, track: &Track) {
         let (time, who) = (row.time.seconds(), self.names[actor + 1].as_str());
         let truth = row.actors[actor].road;
-        let error = (track.road.s - truth.s).hypot(track.road.d - truth.d);
+        let error = libm::hypot(track.road.s - truth.s, track.road.d - truth.d);
         self.error.offer(error, 0.0, || {
             let figure = format!("{error:.2} m off");
             moment(time, "most mistaken belief", who, figure)

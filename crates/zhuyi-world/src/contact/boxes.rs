@@ -44,7 +44,7 @@ impl Axis {
 
 /// The axes of the ego's box, then those of one that is turned by `askew` against it.
 pub(super) fn axes(ego: Footprint, other: Footprint, askew: f64) -> [Axis; 4] {
-    let (sin, cos) = askew.sin_cos();
+    let (sin, cos) = libm::sincos(askew);
     let (c, s) = (cos.abs(), sin.abs());
     let axis = |(forward, left), own: f64, length: f64, width: f64| Axis {
         forward,
@@ -61,7 +61,7 @@ pub(super) fn axes(ego: Footprint, other: Footprint, askew: f64) -> [Axis; 4] {
 
 /// A vector of the world in a frame of that heading: (forward, left).
 pub(crate) fn into_frame(heading: f64, (x, y): (f64, f64)) -> (f64, f64) {
-    let (sin, cos) = heading.sin_cos();
+    let (sin, cos) = libm::sincos(heading);
     (x * cos + y * sin, y * cos - x * sin)
 }
 
