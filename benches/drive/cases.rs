@@ -104,7 +104,7 @@ impl Drive {
     }
 
     fn estimate(&self, run: &Run) {
-        let hindsight = Hindsight::new(&run.trace, &self.system, &self.rates);
+        let hindsight = Hindsight::new(&run.trace, &self.scenario.road, &self.system, &self.rates);
         black_box(hindsight.peaks(black_box(&self.estimator)));
     }
 

@@ -12,7 +12,9 @@
 
 use std::hint::black_box;
 
-use zhuyi_core::{Across, ActorId, Along, Footprint, Forecast, FrameRates, Trajectory};
+use zhuyi_core::{
+    Across, ActorId, Along, Footprint, Forecast, FrameRates, LaneFrame, Road, Trajectory,
+};
 use zhuyi_estimator::criticality::{Limits, criticality};
 use zhuyi_estimator::rivals::Rivals;
 use zhuyi_estimator::samples::{Sample, trajectory};
@@ -239,7 +241,7 @@ pub fn whole_run() -> Vec<Case> {
         let samples: Vec<Sample> = drive.trace.rows().map(sample).collect();
         trajectory(&samples).expect("a trace has finite rows in order")
     };
-    let merged = || recorded::futures(&drive.trace);
+    let merged = || recorded::futures(&drive.trace, LaneFrame::at(&drive.road, 0.0));
     let stepwise = || (0..drive.trace.names().len() - 1).map(steps).collect();
     vec![
         drive.plain("pieces_plain", merged()),
@@ -252,6 +254,7 @@ pub fn whole_run() -> Vec<Case> {
 
 /// Where the ego is at each step of a run.
 struct Drive {
+    road: Road,
     trace: Trace,
     egos: Vec<(f64, Ego)>,
 }
@@ -272,18 +275,10 @@ impl Drive {
         let trace = Simulation::new(&scenario, &system, &rates, draws)
             .run()
             .trace;
-        let ego = |row: zhuyi_sim::trace::Row<'_>| {
-            let ego = Ego {
-                s: row.ego.road.s,
-                d: row.ego.road.d,
-                speed: row.ego.speed,
-                accel: row.ego.accel,
-                footprint: row.ego.footprint,
-            };
-            (row.time.seconds(), ego)
-        };
+        let ego = |row: zhuyi_sim::trace::Row<'_>| (row.time.seconds(), Ego::from(row.ego));
         let egos = trace.rows().map(ego).collect();
-        Self { trace, egos }
+        let road = scenario.road.clone();
+        Self { road, trace, egos }
     }
 
     /// A case that asks `answer` about each actor at each step.

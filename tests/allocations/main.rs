@@ -76,7 +76,7 @@ fn law_the_estimate_of_more_steps_allocates_no_more() {
     let count = |duration: &str| {
         let (scenario, system) = read(BENCH.0, BENCH.1, &[duration]);
         let run = start(&scenario, &system).run();
-        let hindsight = Hindsight::new(&run.trace, &system, &rates(&system));
+        let hindsight = Hindsight::new(&run.trace, &scenario.road, &system, &rates(&system));
         let estimator = Estimator::new(system.estimator.clone());
         measure(|| drop(hindsight.peaks(&estimator))).count_total
     };

@@ -48,7 +48,7 @@ pub fn drive(
     estimated: bool,
 ) -> Result<Told, String> {
     let (run, asked) = run(case, scenario, system)?;
-    numbers(&run)?;
+    numbers(&run, &scenario.road)?;
     ending(&run, scenario)?;
     boxes(&run)?;
     touch(&run, &scenario.road)?;
@@ -58,7 +58,7 @@ pub fn drive(
     let lost = egos.any(|d| d > half_road + LOST);
     let mut estimates = in_the_loop(&asked)?;
     if estimated {
-        estimates += hindsight(&run, case, system)?;
+        estimates += hindsight(&run, &scenario.road, case, system)?;
     }
     Ok(Told {
         steps: run.trace.len(),
@@ -93,7 +93,7 @@ fn bodies<'a>(row: &Row<'a>) -> impl Iterator<Item = &'a Body> + use<'a> {
     std::iter::once(row.ego).chain(row.actors)
 }
 
-fn numbers(run: &Run) -> Result<(), String> {
+fn numbers(run: &Run, road: &Road) -> Result<(), String> {
     for row in run.trace.rows() {
         for (place, body) in bodies(&row).enumerate() {
             let Pose { x, y, heading } = body.pose;
@@ -125,7 +125,7 @@ fn numbers(run: &Run) -> Result<(), String> {
             return Err(format!("no crash: {crash}"));
         }
     }
-    let extremes = run.extremes();
+    let extremes = run.extremes(road);
     let least = [extremes.gap, extremes.time_to_collision];
     if !least.into_iter().flatten().all(|least| least >= 0.0) {
         return Err(format!("{extremes:?}"));
@@ -279,9 +279,9 @@ fn in_the_loop(asked: &[Asked]) -> Result<usize, String> {
     Ok(asked.len())
 }
 
-fn hindsight(run: &Run, case: &Case, system: &System) -> Result<usize, String> {
+fn hindsight(run: &Run, road: &Road, case: &Case, system: &System) -> Result<usize, String> {
     let estimator = Estimator::new(system.estimator.clone());
-    let hindsight = Hindsight::new(&run.trace, system, &case.rates());
+    let hindsight = Hindsight::new(&run.trace, road, system, &case.rates());
     let mut count = 0;
     for row in run.trace.rows().step_by(20) {
         for demand in hindsight.demands(&estimator, &row) {

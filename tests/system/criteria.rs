@@ -36,7 +36,7 @@ impl Asked {
             let run = run(&scenario, &system, 30, seed);
             assert!(!run.collided(), "{name}, seed {seed}");
             let trace: &Trace = &run.trace;
-            let hindsight = Hindsight::new(trace, &system, &rates);
+            let hindsight = Hindsight::new(trace, &scenario.road, &system, &rates);
             asked.peaks.push(
                 estimators
                     .each_ref()

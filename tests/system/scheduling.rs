@@ -82,7 +82,7 @@ fn hand_the_clairvoyant_gets_by_with_fifteen_frames() {
         seed: 0,
     };
     let full = Simulation::new(&scenario, &system, &rates(30.0), draws).run();
-    let future = known_future(&full.trace, &system, &rates(30.0));
+    let future = known_future(&full.trace, &scenario.road, &system, &rates(30.0));
     let drive = |name: &str| {
         let policy = policy(name).expect("a policy");
         let allocation = Allocation {

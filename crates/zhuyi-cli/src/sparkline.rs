@@ -5,7 +5,7 @@
 
 use std::fmt::Write;
 
-use zhuyi_core::FrameRates;
+use zhuyi_core::{FrameRates, Road};
 use zhuyi_estimator::Estimator;
 use zhuyi_scenario::System;
 use zhuyi_sim::{Hindsight, Trace};
@@ -17,9 +17,15 @@ const BLOCKS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█
 const LEAST_TOP: f64 = 8.0;
 
 /// The demands of a drive on every camera, `width` columns wide, with what they mean below.
-pub fn demands(trace: &Trace, system: &System, rates: &FrameRates, width: usize) -> String {
+pub fn demands(
+    trace: &Trace,
+    road: &Road,
+    system: &System,
+    rates: &FrameRates,
+    width: usize,
+) -> String {
     let estimator = Estimator::new(system.estimator.clone());
-    let hindsight = Hindsight::new(trace, system, rates);
+    let hindsight = Hindsight::new(trace, road, system, rates);
     let eyes = &system.perception.eyes;
     let mut columns = vec![Vec::with_capacity(trace.len()); eyes.len()];
     for row in trace.rows() {

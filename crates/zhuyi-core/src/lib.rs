@@ -13,6 +13,8 @@
 
 #![cfg_attr(test, allow(clippy::disallowed_methods))] // Of the standard library: no result depends on these.
 
+pub mod approach;
+pub mod boxes;
 pub mod camera;
 pub mod command;
 pub mod forecast;
@@ -20,6 +22,7 @@ pub mod frame;
 pub mod geometry;
 pub mod idm;
 pub mod lane_change;
+pub mod lane_frame;
 pub mod road;
 pub mod scene;
 pub mod time;
@@ -31,6 +34,7 @@ pub use forecast::{Across, Along, Extent, Forecast, Trajectory};
 pub use frame::{Detection, Frame};
 pub use geometry::{Axes, Footprint, Point, Pose};
 pub use lane_change::{LaneChange, Lateral};
+pub use lane_frame::LaneFrame;
 pub use road::{Frenet, Lane, Road, RoadError, Segment};
 pub use scene::{ActorId, Body, Scene};
 pub use time::SimTime;

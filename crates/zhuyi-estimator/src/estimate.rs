@@ -19,7 +19,7 @@ pub struct Ego {
     pub speed: f64,
     /// [m/s2] a_0, signed.
     pub accel: f64,
-    /// Its box.
+    /// Its box as it stands: extents along and across the path, [`Footprint::turned`] by its angle against that.
     pub footprint: Footprint,
 }
 
@@ -31,7 +31,7 @@ impl From<&Body> for Ego {
             d: body.road.d,
             speed: body.speed,
             accel: body.accel,
-            footprint: body.footprint,
+            footprint: body.extent,
         }
     }
 }

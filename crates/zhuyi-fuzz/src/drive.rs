@@ -48,7 +48,7 @@ pub fn drive(scenario: &Scenario, system: &System) {
         }
     }
     let estimator = Estimator::new(system.estimator.clone());
-    let hindsight = Hindsight::new(&run.trace, system, rates);
+    let hindsight = Hindsight::new(&run.trace, &scenario.road, system, rates);
     let rows = run.trace.rows().step_by(50);
     let demands = rows.flat_map(|row| hindsight.demands(&estimator, &row));
     for demand in asked

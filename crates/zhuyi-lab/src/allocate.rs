@@ -291,9 +291,10 @@ fn futures(plan: &Allocating, progress: &dyn Progress) -> Vec<Vec<Vec<f64>>> {
     let ideal = plan.with(Compute::Ideal);
     let one = |(scenario, seed): &(usize, u64)| {
         let draws = plan.draws(*scenario, *seed);
-        let run = Simulation::new(&plan.scenarios[*scenario], &ideal, &full, draws).run();
+        let scenario = &plan.scenarios[*scenario];
+        let run = Simulation::new(scenario, &ideal, &full, draws).run();
         progress.step();
-        known_future(&run.trace, &ideal, &full)
+        known_future(&run.trace, &scenario.road, &ideal, &full)
     };
     one_by_one(&drives).map(one).collect()
 }

@@ -183,7 +183,12 @@ impl<'a> Drive<'a> {
     }
 
     fn hindsight(&self) -> Hindsight<'_> {
-        Hindsight::new(&self.run.trace, &self.plan.system, &self.rates)
+        Hindsight::new(
+            &self.run.trace,
+            &self.scenario.road,
+            &self.plan.system,
+            &self.rates,
+        )
     }
 
     /// The variants, each as its estimator and its view of the run.

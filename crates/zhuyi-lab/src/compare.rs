@@ -171,5 +171,13 @@ fn audited(
     };
     let run = Simulation::new(scenario, &comparison.system, rates, draws).run();
     let completed = matches!(run.outcome, Outcome::Completed);
-    completed.then(|| Audit::of(comparison, panel, rates, cell.seed, &run.trace))
+    completed.then(|| {
+        Audit::of(
+            comparison,
+            panel,
+            rates,
+            cell.seed,
+            (&run.trace, &scenario.road),
+        )
+    })
 }

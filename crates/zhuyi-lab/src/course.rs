@@ -85,7 +85,7 @@ pub fn course(plan: &Plan, place: usize, seed: u64) -> Option<Course> {
         return None;
     }
     let estimator = VARIANTS[TABLE].estimator(&plan.system);
-    let hindsight = Hindsight::new(&run.trace, &plan.system, &rates);
+    let hindsight = Hindsight::new(&run.trace, &scenario.road, &plan.system, &rates);
     let eyes = &plan.system.perception.eyes;
     let analysed = || (0..eyes.len()).filter(|eye| eyes[*eye].camera.analysed);
     let mut evaluations = 0;

@@ -96,7 +96,7 @@ pub fn foresight(plan: &Plan, place: usize, seed: u64) -> Option<Foresight> {
     // The l_0 of the loop, as everywhere below.
     let mut same = system.clone();
     same.current_latency = system.online.current_latency;
-    let hindsight = Hindsight::new(&run.trace, &same, &rates);
+    let hindsight = Hindsight::new(&run.trace, &scenario.road, &same, &rates);
     let estimator = Estimator::new(system.estimator.clone());
     let mut all_seeing = AllSeeing::new(Online::new(system, &scenario.road), &rates);
     let decision = |asked: &Asked| {

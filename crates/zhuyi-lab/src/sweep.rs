@@ -144,7 +144,7 @@ impl Experiment<'_> {
         let peaks = if collision.is_some() || estimators.is_empty() {
             Vec::new()
         } else {
-            let hindsight = Hindsight::new(&run.trace, self.system, &cell.rates);
+            let hindsight = Hindsight::new(&run.trace, &scenario.road, self.system, &cell.rates);
             estimators
                 .iter()
                 .map(|estimator| hindsight.peaks(estimator))
@@ -156,7 +156,7 @@ impl Experiment<'_> {
                 .as_ref()
                 .map_or(scenario.duration, |collision| collision.time),
             collision,
-            extremes: run.extremes(),
+            extremes: run.extremes(&scenario.road),
             active: self.active(&run.trace),
             frames: run.frames,
             peaks,

@@ -1,7 +1,9 @@
 //! Arbitration: one command out of car following, hard braking and evasion.
 
 use zhuyi_core::idm::{Idm, Leader};
-use zhuyi_core::{Body, Command, Forecast, Lane, LaneChange, Manoeuvre, Road, SimTime, Track};
+use zhuyi_core::{
+    Body, Command, Forecast, Lane, LaneChange, LaneFrame, Manoeuvre, Road, SimTime, Track,
+};
 
 use crate::brake::{Latch, required_by};
 use crate::corridor::{blocks, blocks_path, reach};
@@ -20,6 +22,8 @@ pub struct Planner<'a> {
     hard: Latch,
     /// Places of the tracks that are in the way of the path.
     in_the_way: Vec<usize>,
+    /// The tracks along the ego's lane, where that is not as long as the reference line.
+    along_lane: Vec<Track>,
 }
 
 impl<'a> Planner<'a> {
@@ -34,6 +38,7 @@ impl<'a> Planner<'a> {
             path,
             hard: Latch::default(),
             in_the_way: Vec::with_capacity(16),
+            along_lane: Vec::with_capacity(16),
         }
     }
 
@@ -45,7 +50,8 @@ impl<'a> Planner<'a> {
         self.driver.time_headway += longer;
     }
 
-    /// The command for the next step. `tracks` are extrapolated to `now`, `forecasts` are theirs, in the same order.
+    /// The command for the next step. `tracks` are extrapolated to `now`, `forecasts` are theirs, in the same order. Gaps,
+    /// speeds and braking are those along the ego's lane.
     pub fn plan(
         &mut self,
         now: SimTime,
@@ -54,6 +60,39 @@ impl<'a> Planner<'a> {
         forecasts: &[Forecast],
     ) -> Command {
         let time = now.seconds();
+        let lane = LaneFrame::at(self.road, ego.road.d);
+        let (accel, manoeuvre) = if lane.is_reference_line() {
+            self.react(ego, tracks, forecasts, time)
+        } else {
+            let mut along_lane = std::mem::take(&mut self.along_lane);
+            along_lane.clear();
+            along_lane.extend(tracks.iter().map(|track| lane.track(track)));
+            let reaction = self.react(&lane.body(ego), &along_lane, forecasts, time);
+            self.along_lane = along_lane;
+            reaction
+        };
+        let curvature = steer::curvature(
+            ego,
+            self.road,
+            self.path.at(time),
+            self.params.lateral_gain,
+            self.params.heading_gain,
+        );
+        Command {
+            accel,
+            curvature,
+            manoeuvre,
+        }
+    }
+
+    /// The acceleration [m/s2] of the next step and why; begins an evasion where one is due.
+    fn react(
+        &mut self,
+        ego: &Body,
+        tracks: &[Track],
+        forecasts: &[Forecast],
+        time: f64,
+    ) -> (f64, Manoeuvre) {
         self.look(ego, tracks, forecasts, time);
         if let Some(change) = self.evasion(ego, tracks, forecasts, time) {
             self.path = change;
@@ -75,19 +114,7 @@ impl<'a> Planner<'a> {
             (false, true) => Manoeuvre::Brake,
             (false, false) => Manoeuvre::Follow,
         };
-        let path = self.path.at(time);
-        let curvature = steer::curvature(
-            ego,
-            self.road,
-            path,
-            self.params.lateral_gain,
-            self.params.heading_gain,
-        );
-        Command {
-            accel: if brake < follow { brake } else { follow },
-            curvature,
-            manoeuvre,
-        }
+        (if brake < follow { brake } else { follow }, manoeuvre)
     }
 
     fn evading(&self, time: f64) -> bool {

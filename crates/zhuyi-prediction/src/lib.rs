@@ -64,6 +64,6 @@ impl Predictor {
                 manoeuvres::trajectories(track, road, &manoeuvres, &mut ways);
             }
         }
-        ways.end();
+        ways.end(track);
     }
 }

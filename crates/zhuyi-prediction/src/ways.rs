@@ -1,6 +1,6 @@
 //! A list of weighted trajectories, written anew in the room of an old one.
 
-use zhuyi_core::Trajectory;
+use zhuyi_core::{Extent, Track, Trajectory};
 
 /// The list, and how much of it is new.
 pub(crate) struct Ways<'a> {
@@ -29,6 +29,7 @@ impl<'a> Ways<'a> {
         *old_weight = weight;
         way.along.clear();
         way.across.clear();
+        way.extents.clear();
         way.known_until = f64::INFINITY;
         way
     }
@@ -40,8 +41,13 @@ impl<'a> Ways<'a> {
         }
     }
 
-    /// Leaves the new ones alone in the list.
-    pub fn end(self) {
+    /// Leaves the new ones alone in the list, each with the box of `track` as it stands now.
+    pub fn end(self, track: &Track) {
         self.list.truncate(self.new);
+        if track.extent != track.footprint {
+            for (_, way) in self.list {
+                way.extents.push(Extent::held(track.extent));
+            }
+        }
     }
 }

@@ -5,7 +5,11 @@
 //! Beyond the paper, each an option: [`Hindsight::with_phantoms`] adds an actor wherever nobody looks,
 //! [`Hindsight::with_evasion`] lets the ego evade, [`Hindsight::of_the_visible`] leaves out who is hidden (reading R14).
 
-use zhuyi_core::{ActorId, Body, Camera, CameraId, Footprint, FrameRates, Road, SimTime};
+use std::sync::OnceLock;
+
+use zhuyi_core::{
+    ActorId, Body, Camera, CameraId, Footprint, FrameRates, Lane, LaneFrame, Road, SimTime,
+};
 use zhuyi_estimator::phantom::visible_share;
 use zhuyi_estimator::{
     Demand, Ego, Estimate, Estimator, Future, Phantom, PhantomParams, Recording, Tolerance, Watch,
@@ -27,7 +31,9 @@ use crate::trace::{Row, Trace};
 #[derive(Clone, Debug)]
 pub struct Hindsight<'a> {
     trace: &'a Trace,
-    futures: Vec<Recording>,
+    road: &'a Road,
+    /// The futures along each lane, made when the ego is first in it; on a straight road they are the same along all.
+    lanes: Vec<OnceLock<Vec<Recording>>>,
     rig: Vec<Watch<'a>>,
     phantoms: Option<(&'a Road, PhantomParams)>,
     evades_on: Option<&'a Road>,
@@ -35,8 +41,9 @@ pub struct Hindsight<'a> {
 }
 
 impl<'a> Hindsight<'a> {
-    /// From a finished run of `system` at `rates`, with l_0 each camera's own frame period unless the system sets another.
-    pub fn new(trace: &'a Trace, system: &'a System, rates: &FrameRates) -> Self {
+    /// From a finished run of `system` on `road` at `rates`, with l_0 each camera's own frame period unless the system sets
+    /// another.
+    pub fn new(trace: &'a Trace, road: &'a Road, system: &'a System, rates: &FrameRates) -> Self {
         let watch = |(eye, hz): (&'a Eye, &f64)| Watch {
             camera: &eye.camera,
             current_latency: system.current_latency.unwrap_or(1.0 / hz),
@@ -44,7 +51,15 @@ impl<'a> Hindsight<'a> {
         let rig = system.perception.eyes.iter().zip(rates.all());
         Self {
             trace,
-            futures: futures(trace).into_iter().map(Recording::new).collect(),
+            road,
+            lanes: vec![
+                OnceLock::new();
+                if road.is_straight() {
+                    1
+                } else {
+                    usize::from(road.lanes())
+                }
+            ],
             rig: rig.map(watch).collect(),
             phantoms: None,
             evades_on: None,
@@ -74,6 +89,37 @@ impl<'a> Hindsight<'a> {
         self
     }
 
+    /// The lane that the ego is in at a row; the first on a straight road.
+    fn lane(&self, row: &Row<'_>) -> Lane {
+        if self.lanes.len() == 1 {
+            return Lane(1);
+        }
+        LaneFrame::lane(self.road, row.ego.road.d)
+    }
+
+    /// The ego at a row, along a lane.
+    fn ego(&self, row: &Row<'_>, lane: Lane) -> Ego {
+        let frame = LaneFrame::of(self.road, lane);
+        Ego {
+            s: frame.place(row.ego.road.s),
+            ..Ego::from(row.ego)
+        }
+    }
+
+    /// The recorded future of every actor along a lane.
+    fn futures(&self, lane: Lane) -> &[Recording] {
+        self.lanes[usize::from(lane.0) - 1].get_or_init(|| {
+            let frame = LaneFrame::of(self.road, lane);
+            let futures = futures(self.trace, frame).into_iter();
+            futures.map(Recording::new).collect()
+        })
+    }
+
+    /// How many actors there are.
+    fn actors(&self) -> usize {
+        self.trace.names().len() - 1
+    }
+
     /// The estimate for one actor at one row.
     pub fn estimate(
         &self,
@@ -82,19 +128,25 @@ impl<'a> Hindsight<'a> {
         actor: ActorId,
         current_latency: f64,
     ) -> Estimate {
-        let ego = Ego::from(row.ego);
-        let (body, future) = (&row.actors[actor.index()], &self.futures[actor.index()]);
+        let lane = self.lane(row);
+        let ego = self.ego(row, lane);
+        let (body, future) = (
+            &row.actors[actor.index()],
+            &self.futures(lane)[actor.index()],
+        );
         let (footprint, now) = (body.footprint, row.time.seconds());
         if let (Some(road), Some(evasion)) = (self.evades_on, estimator.params().evasion) {
             let known = Future::new(future.trajectory(), now);
+            let frame = LaneFrame::of(self.road, lane);
             let others = row.actors.iter().enumerate();
             let others = others.filter(|(place, _)| *place != actor.index());
+            let others: Vec<Body> = others.map(|(_, body)| frame.body(body)).collect();
             let half_road = f64::from(road.lanes()) * road.lane_width() / 2.0;
             let sides = evasion.free_sides(
                 estimator.params(),
                 &ego,
                 (footprint, &known),
-                others.map(|(_, body)| body),
+                &others,
                 (-half_road, half_road),
             );
             return estimator
@@ -112,9 +164,10 @@ impl<'a> Hindsight<'a> {
     /// What [`Hindsight::estimate`] asks about, for models other than the estimator's own: the ego, the actor's box and its
     /// recorded future.
     pub fn question(&self, row: &Row<'_>, actor: ActorId) -> (Ego, Footprint, Future<'_>) {
-        let recorded = self.futures[actor.index()].trajectory();
+        let lane = self.lane(row);
+        let recorded = self.futures(lane)[actor.index()].trajectory();
         (
-            Ego::from(row.ego),
+            self.ego(row, lane),
             row.actors[actor.index()].footprint,
             Future::new(recorded, row.time.seconds()),
         )
@@ -135,7 +188,7 @@ impl<'a> Hindsight<'a> {
         mut estimate: impl FnMut(ActorId, f64) -> Estimate,
     ) -> Vec<Demand> {
         let mut demands = vec![estimator.quiet(); self.rig.len()];
-        let mut covered = Covered::by(&self.rig, self.futures.len());
+        let mut covered = Covered::by(&self.rig, self.actors());
         covered.look(&self.rig, row);
         let tolerance = |actor: ActorId, l_0: f64| estimate(actor, l_0).into();
         self.demands_into(estimator, row, tolerance, &covered, &mut demands);
@@ -183,7 +236,7 @@ impl<'a> Hindsight<'a> {
     pub fn peaks(&self, estimator: &Estimator) -> Peaks {
         let mut peaks = self.no_peaks();
         let mut demands = vec![estimator.quiet(); self.rig.len()];
-        let mut covered = Covered::by(&self.rig, self.futures.len());
+        let mut covered = Covered::by(&self.rig, self.actors());
         let mut told = Told::by(self, estimator);
         // Phantoms and hidden actors depend on where everybody is, and that changes at every row.
         let settled = self.phantoms.is_none() && self.least_share.is_none();

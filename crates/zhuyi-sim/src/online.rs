@@ -8,7 +8,7 @@
 //! Nothing of the truth enters but the ego's own localisation. l_0 is fixed at 1/30 s unless the system says otherwise:
 //! with the latency at which the camera runs now the demand feeds on itself (reading R22).
 
-use zhuyi_core::{Body, Forecast, Frenet, Road, SimTime, Track};
+use zhuyi_core::{Body, Forecast, LaneFrame, Road, SimTime, Track};
 use zhuyi_estimator::rivals::Rivals;
 use zhuyi_estimator::{
     Answer, Demand, Ego, Estimator, Future, Moment, Phantom, PhantomParams, SafetyModel, Seen,
@@ -81,12 +81,13 @@ impl<'a> Online<'a> {
         processed: &[u64],
     ) -> Asked {
         let predictor = self.system.online.predictor;
+        let lane = LaneFrame::at(self.road, body.road.d);
         self.forecasts.clear();
         let forecasts = tracks
             .iter()
-            .map(|track| predictor.forecast(track, self.road));
+            .map(|track| predictor.forecast(&lane.track(track), self.road));
         self.forecasts.extend(forecasts);
-        let place = |track: &Track| self.road.world_from_road(track.road);
+        let place = |track: &Track| believed(track, self.road).pose;
         let seen: Vec<Seen<'_>> = tracks
             .iter()
             .zip(&self.forecasts)
@@ -103,14 +104,10 @@ impl<'a> Online<'a> {
                 current_latency: l_0.unwrap_or(1.0 / hz),
             })
             .collect();
-        let Frenet { s, d } = body.road;
         let moment = Moment {
             ego: Ego {
-                s,
-                d,
-                speed: body.speed,
-                accel: body.accel,
-                footprint: body.footprint,
+                s: lane.place(body.road.s),
+                ..Ego::from(body)
             },
             pose: body.pose,
             now: 0.0,

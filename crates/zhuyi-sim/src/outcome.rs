@@ -1,6 +1,8 @@
 //! How a run ended, and what it took.
 
-use zhuyi_core::{ActorId, Body, SimTime};
+use zhuyi_core::approach::{closes, time_to_collision};
+use zhuyi_core::boxes::{distance, swept_gap};
+use zhuyi_core::{ActorId, Body, LaneFrame, Road, SimTime};
 use zhuyi_scheduler::sharing::CAP;
 use zhuyi_world::crash::CrashError;
 use zhuyi_world::{Crash, Side};
@@ -73,9 +75,10 @@ impl Frames {
 /// How close it was: the extremes over a run and the actors in the ego's way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extremes {
-    /// [m] smallest gap, bumper to bumper, to an actor ahead whose side-to-side extent overlaps the ego's.
+    /// [m] smallest distance of the boxes of the ego and of an actor ahead that overlaps it sideways; 0 where it touched one.
     pub gap: Option<f64>,
-    /// [s] smallest time to collision with such an actor: gap over closing speed (Hayward 1972).
+    /// [s] smallest time to collision with such an actor: the ego's way to its box over the closing speed, along the ego's lane
+    /// ([`swept_gap`], [`time_to_collision`]).
     pub time_to_collision: Option<f64>,
     /// [m/s2] hardest braking of the ego.
     pub decel: f64,
@@ -87,8 +90,8 @@ impl Run {
         matches!(self.outcome, Outcome::Collision(_))
     }
 
-    /// How close it was.
-    pub fn extremes(&self) -> Extremes {
+    /// How close it was, on the road of the run.
+    pub fn extremes(&self, road: &Road) -> Extremes {
         let mut extremes = Extremes {
             gap: None,
             time_to_collision: None,
@@ -98,22 +101,46 @@ impl Run {
             if -row.ego.accel > extremes.decel {
                 extremes.decel = -row.ego.accel;
             }
-            for actor in row.actors.iter().filter(|actor| ahead(row.ego, actor)) {
-                let gap = actor.rear() - row.ego.front();
-                lower(&mut extremes.gap, gap);
-                let closing = row.ego.s_rate - actor.s_rate;
-                if closing > 0.0 {
-                    lower(&mut extremes.time_to_collision, gap / closing);
+            let lane = LaneFrame::at(road, row.ego.road.d);
+            let ahead =
+                |actor: &&Body| actor.overlaps_sideways(row.ego) && actor.road.s > row.ego.road.s;
+            for actor in row.actors.iter().filter(ahead) {
+                if lane.is_reference_line() {
+                    extremes.take(row.ego, actor);
+                } else {
+                    extremes.take(&lane.body(row.ego), &lane.body(actor));
                 }
             }
+        }
+        if self.collided() {
+            extremes.gap = Some(0.0);
         }
         extremes
     }
 }
 
-/// Whether `actor` is ahead of the ego and overlaps it side to side.
-fn ahead(ego: &Body, actor: &Body) -> bool {
-    actor.rear() >= ego.front() && actor.overlaps_sideways(ego)
+impl Extremes {
+    /// Takes an actor ahead that overlaps the ego sideways, both along the ego's lane.
+    fn take(&mut self, ego: &Body, actor: &Body) {
+        // The gap of the boxes is never less than that of their half extents; nor is their distance, but that in a bend the
+        // straight line is shorter than the lane, over less than half a circle not by half.
+        let (least, closing) = (actor.rear() - ego.front(), ego.s_rate - actor.s_rate);
+        if self.gap.is_none_or(|gap| least / 2.0 < gap) {
+            let aligned = ego.turn == 0.0 && actor.turn == 0.0;
+            let distance = || distance((ego.footprint, ego.pose), (actor.footprint, actor.pose));
+            let gap = if aligned { least } else { distance() };
+            if gap >= 0.0 {
+                lower(&mut self.gap, gap);
+            }
+        }
+        let sooner = |time: f64| self.time_to_collision.is_none_or(|least| time < least);
+        if closes(closing) && sooner(least / closing) {
+            let time = swept_gap(ego, actor).and_then(|gap| time_to_collision(gap, closing));
+            if let Some(time) = time {
+                lower(&mut self.time_to_collision, time);
+            }
+        }
+    }
 }
 
 fn lower(least: &mut Option<f64>, value: f64) {

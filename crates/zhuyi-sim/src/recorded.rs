@@ -2,25 +2,36 @@
 //!
 //! Between two rows `s` is the quadratic that leaves the first with its speed and meets the second, the speed is linear, and so
 //! is `d`. A piece is extended as long as it meets the rows to within 1e-7 m and 1e-7 m/s, far below what any decision of the
-//! model turns on, so an actor that holds its acceleration for ten seconds is one piece, not a thousand. Behind the last row an
-//! actor keeps its last speed and offset (reading R10).
+//! model turns on, so an actor that holds its acceleration for ten seconds is one piece, not a thousand. Half extents of a box
+//! that turns are lines that meet the rows to within 1 mm, see [`extents`]. Behind the last row an actor keeps its last speed,
+//! offset and heading (reading R10). Places and speeds are those along one lane (reading R7).
 
-use zhuyi_core::{Across, Along, Body, Trajectory};
+use zhuyi_core::{Across, Along, Body, LaneFrame, Trajectory};
 
 use crate::trace::Trace;
+
+mod extents;
 
 /// [m], [m/s] how closely a piece must meet the rows.
 const TOLERANCE: f64 = 1e-7;
 
-/// One trajectory per actor, in the time of the trace.
-pub fn futures(trace: &Trace) -> Vec<Trajectory> {
+/// One trajectory per actor, in the time of the trace, along a lane.
+pub fn futures(trace: &Trace, lane: LaneFrame<'_>) -> Vec<Trajectory> {
     (0..trace.names().len() - 1)
-        .map(|actor| future(trace, actor))
+        .map(|actor| future(trace, actor, lane))
         .collect()
 }
 
-fn future(trace: &Trace, actor: usize) -> Trajectory {
-    let mut rows = trace.course(actor).map(|(t, body)| (t.seconds(), body));
+fn future(trace: &Trace, actor: usize, lane: LaneFrame<'_>) -> Trajectory {
+    let along_lane = |body: &Body| {
+        if lane.is_reference_line() {
+            *body
+        } else {
+            lane.body(body)
+        }
+    };
+    let course = trace.course(actor);
+    let mut rows = course.map(|(t, body)| (t.seconds(), along_lane(body)));
     let (mut t, mut body) = rows
         .next()
         .unwrap_or_else(|| unreachable!("a trace has at least its first row"));
@@ -30,7 +41,7 @@ fn future(trace: &Trace, actor: usize) -> Trajectory {
         let step = next_t - t;
         if !along
             .last()
-            .is_some_and(|piece| meets_along(piece, next_t, next))
+            .is_some_and(|piece| meets_along(piece, next_t, &next))
         {
             along.push(Along {
                 time: t,
@@ -43,7 +54,7 @@ fn future(trace: &Trace, actor: usize) -> Trajectory {
         }
         if !across
             .last()
-            .is_some_and(|piece| meets_across(piece, next_t, next))
+            .is_some_and(|piece| meets_across(piece, next_t, &next))
         {
             across.push(Across {
                 time: t,
@@ -63,10 +74,11 @@ fn future(trace: &Trace, actor: usize) -> Trajectory {
             d_rate: 0.0,
         });
     }
+    let boxes = trace.course(actor);
     Trajectory {
         along,
         across,
-        extents: Vec::new(),
+        extents: extents::extents(boxes.map(|(t, body)| (t.seconds(), body))),
         known_until: end,
     }
 }

@@ -12,7 +12,7 @@
 //! Zhuyi-based system, "Safety check"). The response goes on for `hold` after the last alarm, so that what it mends does
 //! not end it at once.
 
-use zhuyi_core::{FrameRates, SimTime};
+use zhuyi_core::{FrameRates, Road, SimTime};
 use zhuyi_estimator::Estimator;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::safety::{Measures, falls_short};
@@ -50,10 +50,15 @@ pub struct Scheduled<'a> {
 
 /// [Hz] what a finished run of `system` asked of every camera with hindsight, at every decision: the future that the
 /// policy `clairvoyant` knows. l_0 is that of the estimate in the loop.
-pub fn known_future(trace: &Trace, system: &System, rates: &FrameRates) -> Vec<Vec<f64>> {
+pub fn known_future(
+    trace: &Trace,
+    road: &Road,
+    system: &System,
+    rates: &FrameRates,
+) -> Vec<Vec<f64>> {
     let mut same = system.clone();
     same.current_latency = system.online.current_latency;
-    let hindsight = Hindsight::new(trace, &same, rates);
+    let hindsight = Hindsight::new(trace, road, &same, rates);
     let estimator = Estimator::new(system.estimator.clone());
     let every = (system.online.period.nanos() / STEP.nanos()).max(1) as usize;
     let rows = trace.rows().step_by(every);

@@ -135,8 +135,8 @@ fn before_sight(name: &str, headway: f64) -> (f64, f64, f64) {
         ..PhantomParams::default()
     };
     let (plain, phantoms) = (
-        Hindsight::new(&run.trace, &system, &rates).of_the_visible(share),
-        Hindsight::new(&run.trace, &system, &rates)
+        Hindsight::new(&run.trace, &scenario.road, &system, &rates).of_the_visible(share),
+        Hindsight::new(&run.trace, &scenario.road, &system, &rates)
             .of_the_visible(share)
             .with_phantoms(&scenario.road, params),
     );

@@ -55,7 +55,7 @@ fn law_peaks_are_those_of_every_row() {
         let (scenario, system) = scenario(name);
         for rates in &rates {
             let run = drive(&scenario, &system, rates);
-            let hindsight = Hindsight::new(&run.trace, &system, rates);
+            let hindsight = Hindsight::new(&run.trace, &scenario.road, &system, rates);
             for solver in [Solver::Exact, Solver::Paper] {
                 let estimator = Estimator::new(Params {
                     solver,
@@ -73,7 +73,8 @@ fn law_so_they_are_where_the_ego_may_evade() {
     let (scenario, system) = scenario("cut-out-fast");
     let rates = FrameRates::new(vec![30.0; 5]);
     let run = drive(&scenario, &system, &rates);
-    let hindsight = Hindsight::new(&run.trace, &system, &rates).with_evasion(&scenario.road);
+    let hindsight =
+        Hindsight::new(&run.trace, &scenario.road, &system, &rates).with_evasion(&scenario.road);
     let estimator = Estimator::new(Params {
         evasion: Some(Evasion::default()),
         ..system.estimator.clone()
@@ -88,8 +89,8 @@ fn law_so_they_are_with_phantoms() {
     let rates = FrameRates::new(vec![30.0; 5]);
     let run = drive(&scenario, &system, &rates);
     let params = PhantomParams::default();
-    let hindsight =
-        Hindsight::new(&run.trace, &system, &rates).with_phantoms(&scenario.road, params);
+    let hindsight = Hindsight::new(&run.trace, &scenario.road, &system, &rates)
+        .with_phantoms(&scenario.road, params);
     let estimator = Estimator::new(system.estimator.clone());
     let mut peaks = hindsight.no_peaks();
     for row in run.trace.rows() {

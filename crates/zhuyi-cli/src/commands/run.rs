@@ -335,7 +335,7 @@ impl Run {
         }
         let full = FrameRates::new(vec![MAX_FPR; self.rates.all().len()]);
         let run = Simulation::new(&self.scenario, &self.system, &full, draws).run();
-        known_future(&run.trace, &self.system, &full)
+        known_future(&run.trace, &self.scenario.road, &self.system, &full)
     }
 
     /// What to type next, and what for.

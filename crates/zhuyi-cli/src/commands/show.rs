@@ -105,6 +105,6 @@ fn asked(scenario: &Scenario, system: &System) -> String {
     } else {
         ""
     };
-    let drawn = sparkline::demands(&run.trace, system, rates, WIDTH - 20);
+    let drawn = sparkline::demands(&run.trace, &scenario.road, system, rates, WIDTH - 20);
     format!("Demand on each camera in the drive of zhuyi run, seed 0{ends}:\n{drawn}")
 }

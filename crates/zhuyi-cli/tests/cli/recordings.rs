@@ -41,7 +41,7 @@ fn demands(name: &str) -> Vec<Vec<f64>> {
     };
     let run = Simulation::new(&scenario, &system, &rates, draws).run();
     let estimator = Estimator::new(system.estimator.clone());
-    let hindsight = Hindsight::new(&run.trace, &system, &rates);
+    let hindsight = Hindsight::new(&run.trace, &scenario.road, &system, &rates);
     let rows = run.trace.rows().map(|row| {
         let demands = hindsight.demands(&estimator, &row);
         demands.iter().map(|demand| demand.fpr).collect()

@@ -87,7 +87,7 @@ impl Driven {
             seconds,
             frames,
             avoided: run.frames.iter().map(|of| of.avoided(seconds)).sum(),
-            decel: run.extremes().decel,
+            decel: run.extremes(&scenario.road).decel,
             jerk: jerk(run),
             alarms: score(&timeline, contact, HORIZON),
         }

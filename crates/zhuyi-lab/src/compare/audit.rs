@@ -4,7 +4,7 @@
 //! `alongside`; elsewhere it is judged: short, or enough (see [`Joint`]). The worst moment of a model is that of its largest
 //! shortfall, the first of equals.
 
-use zhuyi_core::{ActorId, FrameRates, SimTime};
+use zhuyi_core::{ActorId, FrameRates, Road, SimTime};
 use zhuyi_estimator::grid::MAX_FPR;
 use zhuyi_estimator::{ActorStart, Demand};
 use zhuyi_sim::trace::{Row, Trace};
@@ -101,9 +101,9 @@ impl Audit {
         panel: &Panel,
         rates: &FrameRates,
         seed: u64,
-        trace: &Trace,
+        (trace, road): (&Trace, &Road),
     ) -> Self {
-        let hindsight = Hindsight::new(trace, &comparison.system, rates);
+        let hindsight = Hindsight::new(trace, road, &comparison.system, rates);
         let cameras: Vec<usize> = comparison.analysed().collect();
         let grid = panel.procedure().latencies();
         let model = Tally {

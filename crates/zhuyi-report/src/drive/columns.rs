@@ -98,7 +98,10 @@ impl Estimates {
             if known.as_ref().is_none_or(stale) {
                 let rates = rates.to_vec();
                 let set = FrameRates::new(rates.clone());
-                known = Some((rates, Hindsight::new(&drive.run.trace, &system, &set)));
+                known = Some((
+                    rates,
+                    Hindsight::new(&drive.run.trace, &drive.scenario.road, &system, &set),
+                ));
             }
             let Some((_, hindsight)) = &known else {
                 continue;

@@ -1,8 +1,8 @@
 //! What was told of every actor, row after row.
 
-use zhuyi_core::ActorId;
+use zhuyi_core::{ActorId, Lane};
 use zhuyi_estimator::playback::Playback;
-use zhuyi_estimator::{Ego, Estimator, Tolerance, Watch};
+use zhuyi_estimator::{Estimator, Tolerance, Watch};
 
 use super::Hindsight;
 use super::covered::Covered;
@@ -14,6 +14,8 @@ pub(super) struct Told<'a> {
     estimator: &'a Estimator,
     /// [s] those of the rig, each once.
     latencies: Vec<f64>,
+    /// The lane along which the playbacks are.
+    lane: Lane,
     /// Actor by actor, for each latency.
     answers: Vec<(Playback<'a>, Option<Tolerance>)>,
 }
@@ -27,32 +29,45 @@ impl<'a> Told<'a> {
                 latencies.push(watch.current_latency);
             }
         }
-        let mut answers = Vec::with_capacity(hindsight.futures.len() * latencies.len());
-        let boxes = hindsight
-            .trace
-            .row(0)
-            .actors
-            .iter()
-            .map(|body| body.footprint);
-        for (recording, actor) in hindsight.futures.iter().zip(boxes) {
+        let first = hindsight.trace.row(0);
+        let lane = hindsight.lane(&first);
+        let mut answers = Vec::with_capacity(hindsight.actors() * latencies.len());
+        for (recording, body) in hindsight.futures(lane).iter().zip(first.actors) {
             answers.extend(
                 latencies
                     .iter()
-                    .map(|_| (estimator.playback(recording, actor), None)),
+                    .map(|_| (estimator.playback(recording, body.footprint), None)),
             );
         }
         Self {
             hindsight,
             estimator,
             latencies,
+            lane,
             answers,
+        }
+    }
+
+    /// Goes on along another lane.
+    fn change_lane(&mut self, row: &Row<'_>, lane: Lane) {
+        self.lane = lane;
+        let futures = self.hindsight.futures(lane).iter().zip(row.actors);
+        let playbacks = self.answers.chunks_exact_mut(self.latencies.len().max(1));
+        for ((recording, body), playbacks) in futures.zip(playbacks) {
+            for (playback, _) in playbacks {
+                *playback = self.estimator.playback(recording, body.footprint);
+            }
         }
     }
 
     /// Asks about every actor that a camera covers at a row. Returns whether an answer is another one than it was.
     pub fn ask(&mut self, row: &Row<'_>, covered: &Covered) -> bool {
         let (hindsight, evades) = (self.hindsight, self.hindsight.evades(self.estimator));
-        let (ego, now) = (Ego::from(row.ego), row.time.seconds());
+        let lane = hindsight.lane(row);
+        if lane != self.lane {
+            self.change_lane(row, lane);
+        }
+        let (ego, now) = (hindsight.ego(row, lane), row.time.seconds());
         let actors = self.answers.chunks_exact_mut(self.latencies.len().max(1));
         let mut changed = false;
         for (actor, answers) in (0..).map(ActorId).zip(actors) {

@@ -32,7 +32,10 @@ pub fn csv(scenario: &Scenario, system: &System, run: &zhuyi_sim::Run, asked: &[
             }
             _ => {
                 let rates = FrameRates::new(asked.rates.clone());
-                hindsight.insert((&asked.rates, Hindsight::new(&run.trace, &same, &rates)))
+                hindsight.insert((
+                    &asked.rates,
+                    Hindsight::new(&run.trace, &scenario.road, &same, &rates),
+                ))
             }
         };
         let offline = with_hindsight.demands(&estimator, &row);

@@ -185,8 +185,8 @@ impl Summary {
             Outcome::Collision(collision) => collision.time,
         };
         let estimator = Estimator::new(system.estimator.clone());
-        let peaks = Hindsight::new(&run.trace, system, rates).peaks(&estimator);
-        let extremes = run.extremes();
+        let peaks = Hindsight::new(&run.trace, &scenario.road, system, rates).peaks(&estimator);
+        let extremes = run.extremes(&scenario.road);
         let first = |manoeuvre| {
             let mut rows = run.trace.rows();
             let row = rows.find(|row| row.command.manoeuvre == manoeuvre);

@@ -19,7 +19,8 @@ impl Run {
         // Under a policy the rates, and with them l_0, are not those that the drive began with.
         if self.typed.policy.is_none() {
             text += "Demand on each camera over time:\n";
-            text += &sparkline::demands(trace, &self.system, &self.rates, WIDTH);
+            text +=
+                &sparkline::demands(trace, &self.scenario.road, &self.system, &self.rates, WIDTH);
             text.push('\n');
         }
         let analysed = summary.cameras.iter().filter(|camera| camera.analysed);
