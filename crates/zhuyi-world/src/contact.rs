@@ -1,14 +1,12 @@
 //! First contact of the ego with another body within a step, whatever the speed.
 //!
-//! Over one step a body's centre moves along a line and its heading turns evenly. Three stages, each for the few pairs
-//! that the one before leaves; boxes that lie in each other from the start touch at the start:
+//! Over one step a body's centre moves along a line and its heading turns evenly. Two stages, the second for the few
+//! pairs that the first leaves:
 //! 1. `boxes`: a pair that one of the four axes parts during the whole step, with `|turn| r` to spare for each
-//!    body (no point of a box of circumscribed radius r is moved farther by its turning), cannot touch. In `f64`.
-//! 2. A cast of one box against the other by parry2d, linear where nothing turns, nonlinear where something does, and
-//!    an intersection test of the end poses behind both. In `f32`, in coordinates relative to the ego.
-//! 3. Where the cast stopped early (by millimetres, as its `f32` closest points are good to 1e-3 of their size), on from
-//!    there in `f64` by conservative advancement: each axis bounds from below for how long the boxes stay apart
-//!    (Mirtich, Impulse-based Dynamic Simulation, 1996).
+//!    body (no point of a box of circumscribed radius r is moved farther by its turning), cannot touch.
+//! 2. Conservative advancement from the start of the step: each axis bounds from below for how long the boxes stay apart,
+//!    and time goes on as far as the best of them allows until they touch or the step is over (Mirtich, Impulse-based
+//!    Dynamic Simulation, 1996). A bound is exact where nothing turns.
 //!
 //! The side of the ego that is touched follows the contact normal: within 45 degrees of straight ahead it is the front,
 //! and so on round the ego. So an ego whose front corner runs into the flank of a car beside it is hit at its side,
@@ -16,20 +14,12 @@
 
 pub(crate) mod boxes;
 
-use parry2d::math::{Pose as Placement, Vector};
-use parry2d::query::{
-    NonlinearRigidMotion, ShapeCastOptions, cast_shapes, cast_shapes_nonlinear, intersection_test,
-};
-use parry2d::shape::Cuboid;
 use zhuyi_core::geometry::wrap_angle;
 use zhuyi_core::{ActorId, Body, Footprint, Pose};
 
 use boxes::{Placed, axes, into_frame, normal};
 
-/// [m] movement by turning below the resolution of parry's `f32`: the body goes straight.
-const STRAIGHT: f64 = 1e-6;
-
-/// [m] boxes touch when the gap is no wider: the resolution of parry's `f32` some metres away.
+/// [m] boxes touch when the gap is no wider. The time for which they stay apart is never shorter than such a gap takes.
 const TOUCH: f64 = 1e-5;
 
 /// A body over one step: its centre moves along a line, its heading turns evenly, the short way round.
@@ -153,10 +143,8 @@ fn touch(ego: &Motion, other: &Motion) -> Option<f64> {
     let encounter = Encounter::new(ego, other, before, after);
     if encounter.stays_apart() {
         None
-    } else if overlap((ego.footprint, ego.from), (other.footprint, other.from)).is_some() {
-        Some(0.0)
     } else {
-        encounter.advance(encounter.cast()?)
+        encounter.advance()
     }
 }
 
@@ -225,80 +213,123 @@ impl Encounter {
             .any(|axis| parted(axis.along(before), axis.along(after), axis.reach + slack))
     }
 
-    /// The first touch by parry2d.
-    fn cast(&self) -> Option<f64> {
-        let vector = |(x, y): (f64, f64)| Vector::new(x as f32, y as f32);
-        let shape = |of: Footprint| Cuboid::new(vector((of.length / 2.0, of.width / 2.0)));
-        let (ego, other, moved) = (shape(self.ego), shape(self.other), vector(self.moved));
-        let there = Placement::new(vector(self.before), self.askew as f32);
-        let hit = if self.slack() <= STRAIGHT {
-            let step = ShapeCastOptions::with_max_time_of_impact(1.0);
-            cast_shapes(
-                &Placement::IDENTITY,
-                Vector::ZERO,
-                &ego,
-                &there,
-                moved,
-                &other,
-                step,
-            )
-        } else {
-            let turning =
-                |from, moved, turn| NonlinearRigidMotion::new(from, Vector::ZERO, moved, turn);
-            let own = turning(Placement::IDENTITY, Vector::ZERO, self.ego_turn as f32);
-            let others = turning(there, moved, self.other_turn as f32);
-            cast_shapes_nonlinear(&own, &ego, &others, &other, 0.0, 1.0, true)
-        };
-        if let Ok(Some(hit)) = hit {
-            return Some(f64::from(hit.time_of_impact).clamp(0.0, 1.0));
-        }
-        // Boxes that overlap without moving against each other, and whatever a cast gives up on.
-        let here = Placement::new(Vector::ZERO, self.ego_turn as f32);
-        let there = Placement::new(
-            vector(self.centre(1.0)),
-            (self.askew + self.other_turn) as f32,
-        );
-        let overlap = intersection_test(&here, &ego, &there, &other);
-        overlap.is_ok_and(|found| found.intersecting).then_some(1.0)
-    }
-
-    /// The first touch from `fraction` on: time and again as far as one of the axes surely parts the boxes.
-    fn advance(&self, mut fraction: f64) -> Option<f64> {
-        while fraction <= 1.0 {
-            let parted_for = self.parted_for(fraction);
-            if parted_for == 0.0 {
-                return Some(fraction);
+    /// The first touch, or the first instant at which the boxes lie in each other.
+    fn advance(&self) -> Option<f64> {
+        let mut fraction = 0.0;
+        while let Some(parted_for) = self.parted_for(fraction) {
+            let next = fraction + parted_for;
+            if next == fraction {
+                break;
             }
-            fraction += parted_for;
+            fraction = next;
+            if fraction > 1.0 || fraction.is_nan() {
+                return None;
+            }
         }
-        None
+        Some(fraction)
     }
 
-    /// A span of the step, from `fraction` on, during which the boxes surely stay apart; zero when they touch.
-    ///
-    /// A gap `|p · n| - h` shrinks at most as fast as the centres close in along `n`, `n` turns under `p` and under
-    /// their motion, and the box that `n` does not belong to turns its corners.
-    fn parted_for(&self, fraction: f64) -> f64 {
+    /// A span of the step, from `fraction` on, during which the boxes surely stay apart; `None` when they touch.
+    fn parted_for(&self, fraction: f64) -> Option<f64> {
         let relative_turn = self.other_turn - self.ego_turn;
+        let askew = self.askew + fraction * relative_turn;
         let heading = fraction * self.ego_turn;
-        let centre = into_frame(heading, self.centre(fraction));
-        let moved = into_frame(heading, self.moved);
-        let lever = libm::hypot(centre.0, centre.1) + 2.0 * libm::hypot(moved.0, moved.1);
-        let (ego, other) = ((self.ego_turn, self.other), (self.other_turn, self.ego));
-        let axes = axes(self.ego, self.other, self.askew + fraction * relative_turn);
-        let mut longest = 0.0;
-        for (axis, (turn, opposite)) in axes.iter().zip([ego, ego, other, other]) {
-            let closing = -axis.along(moved) * axis.along(centre).signum();
-            let shrinking =
-                closing.max(0.0) + turn.abs() * lever + opposite.radius() * relative_turn.abs();
-            let gap = axis.gap(centre);
-            if gap > TOUCH && gap / shrinking > longest {
-                longest = gap / shrinking;
-            }
-        }
-        longest
+        let [centre, moved, last] =
+            [self.centre(fraction), self.moved, self.centre(1.0)].map(|v| into_frame(heading, v));
+        // The ego as the other sees it.
+        let [back, moved_back] = [centre, moved].map(|v| into_frame(askew, (-v.0, -v.1)));
+        let distance = length(centre).max(length(last));
+        let from_ego = View {
+            own: self.ego,
+            turn: self.ego_turn,
+            other: self.other,
+            at: Pose::new(centre.0, centre.1, askew),
+            moved,
+            relative_turn,
+        };
+        let from_other = View {
+            own: self.other,
+            turn: self.other_turn,
+            other: self.ego,
+            at: Pose::new(back.0, back.1, -askew),
+            moved: moved_back,
+            relative_turn: -relative_turn,
+        };
+        let spans = [from_ego, from_other].map(|view| view.beyond_for(distance));
+        spans.into_iter().flatten().reduce(f64::max)
     }
 }
 
+/// A box as seen from another, in that one's axes.
+struct View {
+    /// The box that sees.
+    own: Footprint,
+    /// [rad] how far it turns in the step.
+    turn: f64,
+    /// The box that is seen.
+    other: Footprint,
+    /// Where the other is.
+    at: Pose,
+    /// [m] how far the other's centre moves in the step, in axes that do not turn.
+    moved: (f64, f64),
+    /// [rad] how far the other turns in the step against the one that sees.
+    relative_turn: f64,
+}
+
+impl View {
+    /// The longest span of the step in which the other box surely stays beyond one side of the own one; `None` when it
+    /// is beyond none. The centres are never more than `distance` apart until the end of the step.
+    ///
+    /// The other's corner `c`, around its centre at `p`, is farther along a normal `n` of the own box than its side by
+    /// ```text
+    ///  g   = n (p + c) - half          v  how far the centre moves in a step, r = |c|
+    ///  g'  = n (v - w Jp + u Jc)       w  how far the own box turns, u the other against it, J a quarter turn
+    ///  g'' = -n (2 w Jv + w^2 p + u^2 c) >= -K,          K = 2 |w| |v| + w^2 |p| + u^2 r
+    /// ```
+    /// and stays so for the span `h` that solves `g + g' h - K h^2 / 2 = 0`.
+    fn beyond_for(&self, distance: f64) -> Option<f64> {
+        let Self { at, moved, .. } = self;
+        let (turn, relative) = (self.turn, self.relative_turn);
+        let bend = 2.0 * turn.abs() * length(*moved)
+            + turn * turn * distance
+            + relative * relative * self.other.radius();
+        let drift = (moved.0 + turn * at.y, moved.1 - turn * at.x);
+        let corners = self.other.corners(*at).map(|corner| {
+            let (forward, left) = (corner.x - at.x, corner.y - at.y);
+            let moved = (drift.0 - relative * left, drift.1 + relative * forward);
+            [(corner.x, moved.0), (corner.y, moved.1)]
+        });
+        let halves = [(at.x, self.own.length / 2.0), (at.y, self.own.width / 2.0)];
+        let spans = halves.iter().enumerate().map(|(axis, (centre, half))| {
+            let side = centre.signum();
+            let gaps = corners.map(|corner| (side * corner[axis].0 - half, side * corner[axis].1));
+            if gaps.iter().any(|(gap, _)| *gap <= TOUCH) {
+                return None;
+            }
+            let spans = gaps.map(|(gap, rate)| positive_for(gap, rate, bend));
+            spans.into_iter().reduce(f64::min)
+        });
+        spans.flatten().reduce(f64::max)
+    }
+}
+
+/// For how long `value + rate h - bend h^2 / 2` is positive, from a positive `value`, with no negative `bend`.
+fn positive_for(value: f64, rate: f64, bend: f64) -> f64 {
+    let root = (rate * rate + 2.0 * bend * value).sqrt();
+    if rate < 0.0 {
+        2.0 * value / (root - rate)
+    } else if bend > 0.0 {
+        (rate + root) / bend
+    } else {
+        f64::INFINITY
+    }
+}
+
+fn length((x, y): (f64, f64)) -> f64 {
+    (x * x + y * y).sqrt()
+}
+
+#[cfg(test)]
+mod sampled;
 #[cfg(test)]
 mod tests;

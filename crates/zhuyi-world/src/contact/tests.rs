@@ -249,7 +249,7 @@ fn law_no_tunnelling() {
 }
 
 /// Numbers in [-1, 1), the same ones every time (Knuth's linear congruential generator).
-fn numbers() -> impl FnMut() -> f64 {
+pub(super) fn numbers() -> impl FnMut() -> f64 {
     let mut state = 1_u64;
     move || {
         state = state
@@ -288,7 +288,7 @@ fn pair(random: &mut impl FnMut() -> f64, turning: bool) -> (Motion, Motion) {
 }
 
 /// [m] the widest gap along an axis: negative when the boxes overlap.
-fn gap(ego: &Motion, other: &Motion, fraction: f64) -> f64 {
+pub(super) fn gap(ego: &Motion, other: &Motion, fraction: f64) -> f64 {
     let (here, there) = (ego.at(fraction), other.at(fraction));
     let centre = here.local(there.point());
     let mut widest = f64::NEG_INFINITY;
