@@ -49,14 +49,14 @@ impl Camera {
         Sector::new(self, pose).holds(point)
     }
 
-    /// Whether the centre or one of the four corners of `body` lies in the field of view and range (reading R14).
+    /// Whether some of the box of `body` lies in the field of view and range (reading R14).
     pub fn covers_body(&self, ego: Pose, body: &Body) -> bool {
         self.covers_box(ego, body.footprint, body.pose)
     }
 
     /// The same of a box at `pose`.
     pub fn covers_box(&self, ego: Pose, footprint: Footprint, pose: Pose) -> bool {
-        Sector::new(self, self.pose(ego)).holds_box(footprint, pose)
+        Sector::new(self, self.pose(ego)).meets_box(footprint, pose)
     }
 }
 
@@ -102,14 +102,51 @@ impl Sector {
         self.holds_seen(self.seen(point))
     }
 
-    /// Whether the centre or one of the corners of a box at `pose` does (reading R14).
-    pub fn holds_box(&self, footprint: Footprint, pose: Pose) -> bool {
-        let corners = || footprint.corners(pose).into_iter();
-        self.holds(pose.point()) || corners().any(|corner| self.holds(corner))
+    /// Whether some of a box at `pose` does (reading R14), for a field of view of any width up to a whole turn.
+    ///
+    /// A truck of 25 m beside the camera has no corner in a field of 120 degrees that its flank fills:
+    /// ```
+    /// use std::f64::consts::{FRAC_PI_2, PI};
+    /// use zhuyi_core::{Camera, Footprint, Pose, camera::Sector};
+    /// let camera = Camera {
+    ///     name: "left".into(), forward: 0.0, left: 0.0, yaw: FRAC_PI_2, fov: 2.0 * PI / 3.0, range: 80.0, analysed: true,
+    /// };
+    /// let sector = Sector::new(&camera, camera.pose(Pose::default()));
+    /// assert!(sector.meets_box(Footprint { length: 25.0, width: 2.5 }, Pose::new(6.0, 3.0, 0.0)));
+    /// ```
+    pub fn meets_box(&self, footprint: Footprint, pose: Pose) -> bool {
+        let (length, width) = (footprint.length, footprint.width);
+        if let Some((meets, _)) = self.holds_plainly(pose.point(), 0.5 * (length + width)) {
+            return meets;
+        }
+        let (forward, left) = pose.local(self.eye);
+        if forward.abs() <= length / 2.0 && left.abs() <= width / 2.0 {
+            return true;
+        }
+        let corners = footprint.corners(pose).map(|corner| self.seen(corner));
+        corners.iter().any(|corner| self.holds_seen(*corner))
+            || (0..4).any(|i| self.meets_edge(corners[i], corners[(i + 1) % 4]))
     }
 
-    /// The same where it is plain by the `centre` of the box and the distance `reach` [m] beyond which no corner is; and how
-    /// far [m] the centre may surely go before it changes.
+    /// Whether a line between two points outside, as seen from the eye, has a point inside: it comes in over a border, or
+    /// else over the arc and its point nearest to the eye is inside.
+    fn meets_edge(&self, from: (f64, f64), to: (f64, f64)) -> bool {
+        let along = (to.0 - from.0, to.1 - from.1);
+        let at = |share: f64| (from.0 + share * along.0, from.1 + share * along.1);
+        let nearest =
+            -(from.0 * along.0 + from.1 * along.1) / (along.0 * along.0 + along.1 * along.1);
+        let over_border = |border: &(f64, f64)| {
+            let side = |point: (f64, f64)| border.0 * point.1 - border.1 * point.0;
+            let (before, after) = (side(from), side(to));
+            let point = at(before / (before - after));
+            (before < 0.0) != (after < 0.0)
+                && (0.0..=self.range).contains(&(border.0 * point.0 + border.1 * point.1))
+        };
+        self.holds_seen(at(nearest.clamp(0.0, 1.0))) || self.borders.iter().any(over_border)
+    }
+
+    /// The same where it is plain by the `centre` of the box and the distance `reach` [m] from there beyond which no point of
+    /// it is; and how far [m] the centre may surely go before it changes.
     ///
     /// ```
     /// use zhuyi_core::{Camera, Point, Pose, camera::Sector};
