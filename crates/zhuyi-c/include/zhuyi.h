@@ -607,7 +607,7 @@ zhuyi_status zhuyi_estimate_forecast(const struct zhuyi_estimator *estimator,
 
 /**
  * The demand on each camera of a rig, into the camera_count entries of out. An actor counts for every camera that
- * has its centre or a corner in its field of view and range at t_0. *ego is the ego on the road, *ego_pose the same
+ * has some of its box in its field of view and range at t_0. *ego is the ego on the road, *ego_pose the same
  * in the world, where the poses of the actors are. now [s] is t_0 on the clock of the forecasts. There may be no
  * actors, but there must be a camera. Allocates a copy of the lists during the call.
  *

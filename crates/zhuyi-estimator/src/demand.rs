@@ -4,7 +4,7 @@
 //!  l_camera = min over the actors it covers of l_actor,   FPR = 1 / l_camera
 //! ```
 //!
-//! An actor counts for every camera that has its centre or a corner in view at t_0, with the latency at which that
+//! An actor counts for every camera that has some of its box in view at t_0, with the latency at which that
 //! camera runs now as l_0. A camera that covers nobody may take the largest latency. An actor alongside is helped
 //! by no rate: it is counted and asks for nothing. Left out: occlusion; [`Estimator::demands_where`] takes any
 //! other rule of who counts, and [`Estimator::demands_into`] writes into a list of the caller's and allocates nothing.

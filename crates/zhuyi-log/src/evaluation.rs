@@ -1,7 +1,7 @@
 //! The offline estimate of a recording: at every step of the ego the answer for every actor that is there, and the
 //! demand on every camera (readings R12 and R14).
 //!
-//! An actor counts for every camera that has its centre or a corner in field of view and range at t_0, from the ego's
+//! An actor counts for every camera that has some of its box in field of view and range at t_0, from the ego's
 //! recorded centre and heading; occlusion is ignored. l_0 is that camera's own, so an actor in view of several cameras
 //! may have several answers: the most demanding one is told. Actors that no camera covers are told too, at the l_0 of
 //! the fastest camera, and ask nothing of any camera.

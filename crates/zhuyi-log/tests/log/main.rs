@@ -3,6 +3,7 @@
 //! | file | what it shows |
 //! |---|---|
 //! | `bad_rows` | every rule for traces: line, column, reason |
+//! | `coverage` | which cameras an actor counts for |
 //! | `laws` | what changes no answer: the place, the direction and the handedness of the world, the cutting into steps |
 //! | `plain` | the same questions asked one by one, in the plainest way |
 //! | `recordings` | real traffic, every vehicle as the ego, and the figures of the crate's page |
@@ -11,6 +12,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may")]
 
 mod bad_rows;
+mod coverage;
 mod laws;
 mod plain;
 mod recordings;

@@ -79,13 +79,13 @@ fn line(rows: &[Row], now: usize, frame: Frame) -> Line {
         rows[rows.len() - 1].pose.heading
     };
     if let (Frame::LastLeg | Frame::EveryPosition, [.., a, b]) = (frame, points.as_slice()) {
-        last = (b.y - a.y).atan2(b.x - a.x);
+        last = libm::atan2(b.y - a.y, b.x - a.x);
     }
     let mut arc = vec![0.0];
     for pair in points.windows(2) {
         arc.push(arc[arc.len() - 1] + apart(pair[0], pair[1]));
     }
-    let heading = |pair: &[Point]| (pair[1].y - pair[0].y).atan2(pair[1].x - pair[0].x);
+    let heading = |pair: &[Point]| libm::atan2(pair[1].y - pair[0].y, pair[1].x - pair[0].x);
     Line {
         arc,
         headings: points.windows(2).map(heading).chain([last]).collect(),
@@ -126,8 +126,10 @@ impl Line {
                 if on == ahead || distance < 1e-6 {
                     (arc[place] + on, left, heading)
                 } else {
-                    let towards =
-                        (point.y - leg.offset(on, 0.0).y).atan2(point.x - leg.offset(on, 0.0).x);
+                    let towards = libm::atan2(
+                        point.y - leg.offset(on, 0.0).y,
+                        point.x - leg.offset(on, 0.0).x,
+                    );
                     let quarter = std::f64::consts::FRAC_PI_2;
                     if left < 0.0 {
                         (arc[place] + on, -distance, towards + quarter)
@@ -175,7 +177,7 @@ pub fn answers(
             .iter()
             .map(|row| {
                 let (s, d, heading) = line.project(row.pose.point());
-                let v = row.speed * (row.pose.heading - heading).cos();
+                let v = row.speed * libm::cos(row.pose.heading - heading);
                 Sample {
                     time: log.steps()[row.step].time,
                     s,
