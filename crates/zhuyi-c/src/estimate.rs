@@ -96,3 +96,26 @@ impl From<zhuyi_estimator::Estimate> for Estimate {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Estimate;
+    use zhuyi_estimator::State;
+
+    /// Values of the header never change: they are the places of the states in their list.
+    #[test]
+    fn law_states_have_the_values_of_their_places() {
+        for (place, state) in State::ALL.into_iter().enumerate() {
+            let answer = zhuyi_estimator::Estimate {
+                state,
+                latency: None,
+                t_n: None,
+                binding: None,
+                extrapolated: 0.0,
+            };
+            let told = Estimate::from(answer).state;
+            assert_eq!(told as usize, place);
+            assert_eq!(format!("{told:?}"), format!("{state:?}"));
+        }
+    }
+}

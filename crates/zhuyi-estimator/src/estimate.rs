@@ -36,36 +36,50 @@ impl From<&Body> for Ego {
     }
 }
 
-/// What kind of answer an estimate is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum State {
-    /// No conflict in the horizon that braking could prevent (reading R8).
-    None,
-    /// A latency of the grid is tolerable.
-    Tolerable,
-    /// No latency of the grid is, but to react at once would do: more than 30 FPR.
-    BeyondGrid,
-    /// Even to react at once is too late.
-    Unavoidable,
-    /// No latency of the grid is tolerable, and a conflict begins with the bodies side by side: no rate helps.
-    Alongside,
+/// Declares [`State`] with its list and its names, so that every state stands once.
+macro_rules! states {
+    ($($(#[$doc:meta])* $state:ident = $name:literal,)*) => {
+        /// What kind of answer an estimate is.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum State {
+            $($(#[$doc])* $state,)*
+        }
+
+        impl State {
+            /// All states, in the order in which files and tables give them.
+            ///
+            /// ```
+            /// use zhuyi_estimator::State;
+            /// assert_eq!(State::ALL[0].name(), "none");
+            /// assert!(State::ALL.iter().enumerate().all(|(place, state)| *state as usize == place));
+            /// ```
+            pub const ALL: [Self; [$($name),*].len()] = [$(Self::$state),*];
+
+            /// Its name in files.
+            ///
+            /// ```
+            /// assert_eq!(zhuyi_estimator::State::BeyondGrid.name(), "beyond_grid");
+            /// ```
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$state => $name,)*
+                }
+            }
+        }
+    };
 }
 
-impl State {
-    /// Its name in files.
-    ///
-    /// ```
-    /// assert_eq!(zhuyi_estimator::State::BeyondGrid.name(), "beyond_grid");
-    /// ```
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::Tolerable => "tolerable",
-            Self::BeyondGrid => "beyond_grid",
-            Self::Unavoidable => "unavoidable",
-            Self::Alongside => "alongside",
-        }
-    }
+states! {
+    /// No conflict in the horizon that braking could prevent (reading R8).
+    None = "none",
+    /// A latency of the grid is tolerable.
+    Tolerable = "tolerable",
+    /// No latency of the grid is, but to react at once would do: more than 30 FPR.
+    BeyondGrid = "beyond_grid",
+    /// Even to react at once is too late.
+    Unavoidable = "unavoidable",
+    /// No latency of the grid is tolerable, and a conflict begins with the bodies side by side: no rate helps.
+    Alongside = "alongside",
 }
 
 /// What refuses a latency.

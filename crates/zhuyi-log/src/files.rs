@@ -49,7 +49,7 @@ use zhuyi_estimator::{Binding, State, Watch};
 
 use crate::evaluation::{Answer, Evaluation};
 use crate::log::Log;
-use crate::summary::{STATES, Summary};
+use crate::summary::Summary;
 
 /// The text of `actors.csv`.
 pub fn actors_csv(log: &Log, evaluation: &Evaluation, rig: &[Watch<'_>]) -> String {
@@ -133,7 +133,7 @@ pub fn egos_csv<'a>(
     rig: &[Watch<'_>],
 ) -> String {
     let header = ["ego", "steps", "actors"].into_iter();
-    let header = header.chain(STATES.map(State::name));
+    let header = header.chain(State::ALL.map(State::name));
     let header = header.chain(["fpr_hz", "camera", "time_s", "actor", "extrapolated_share"]);
     let mut rows = Rows::new(&header.collect::<Vec<_>>());
     for (ego, summary) in egos {

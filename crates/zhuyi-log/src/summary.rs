@@ -6,15 +6,6 @@ use zhuyi_estimator::{State, Watch};
 use crate::evaluation::Evaluation;
 use crate::log::Log;
 
-/// The states, in the order in which they are told.
-pub const STATES: [State; 5] = [
-    State::None,
-    State::Tolerable,
-    State::BeyondGrid,
-    State::Unavoidable,
-    State::Alongside,
-];
-
 /// An evaluation in figures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Summary {
@@ -26,8 +17,8 @@ pub struct Summary {
     pub actors: usize,
     /// Those of them that are missing at a step between their first and their last row.
     pub interrupted: usize,
-    /// Answers per state, in the order of [`STATES`]: one per step and actor that is there.
-    pub states: [usize; STATES.len()],
+    /// Answers per state, in the order of [`State::ALL`]: one per step and actor that is there.
+    pub states: [usize; State::ALL.len()],
     /// Per camera, in the order of the rig.
     pub peaks: Vec<Peak>,
     /// [Hz] the largest demand of an analysed camera.
@@ -53,12 +44,10 @@ impl Summary {
     pub fn new(log: &Log, evaluation: &Evaluation, rig: &[Watch<'_>], horizon: f64) -> Self {
         let answers = || evaluation.steps.iter().flat_map(|step| &step.actors);
         let mut met = vec![false; log.vehicles().len()];
-        let (mut states, mut extrapolated, mut count) = ([0; STATES.len()], 0.0, 0_usize);
+        let (mut states, mut extrapolated, mut count) = ([0; State::ALL.len()], 0.0, 0_usize);
         for answer in answers() {
             met[answer.actor.index()] = true;
-            for (state, number) in STATES.iter().zip(&mut states) {
-                *number += usize::from(*state == answer.estimate.state);
-            }
+            states[answer.estimate.state as usize] += 1;
             extrapolated += answer.estimate.extrapolated;
             count += 1;
         }
@@ -100,10 +89,7 @@ impl Summary {
 
     /// Answers of a state.
     pub fn of(&self, state: State) -> usize {
-        let both = STATES.iter().zip(&self.states);
-        both.filter(|(one, _)| **one == state)
-            .map(|(_, number)| number)
-            .sum()
+        self.states[state as usize]
     }
 }
 

@@ -44,11 +44,14 @@ fn egos(log: &Log) -> String {
             (rows, log.steps().len() - rows)
         );
         let summary = Summary::new(log, &evaluation, &rig, 20.0);
-        let [none, tolerable, beyond, unavoidable, alongside] = summary.states;
+        let states = summary
+            .states
+            .map(|answers| answers.to_string())
+            .join(" | ");
         let (camera, peak) = summary.highest(&rig).unwrap();
         let (id, fpr) = (&vehicle.id, peak.fpr);
         let share = 100.0 * summary.extrapolated.unwrap();
-        write!(text, "| {id} | {rows} | {none} | {tolerable} | {beyond} | {unavoidable} | {alongside} | {fpr:.2} |").unwrap();
+        write!(text, "| {id} | {rows} | {states} | {fpr:.2} |").unwrap();
         match peak.asked {
             Some((step, actor)) => {
                 let (time, whom) = (&log.steps()[step].text, &log.vehicle(actor).id);

@@ -29,7 +29,7 @@ pub fn files(maps: &[Map]) -> [File; 2] {
             cell.ego.to_string(),
             cell.actor.to_string(),
             cell.fpr.map_or(String::new(), |fpr| format!("{fpr:.4}")),
-            state(cell).to_string(),
+            cell.state.name().to_string(),
         ]
     };
     let rows = maps
@@ -42,16 +42,6 @@ pub fn files(maps: &[Map]) -> [File; 2] {
         ),
         ("figures/sensitivity.csv", csv(&header, rows)),
     ]
-}
-
-fn state(cell: &Cell) -> &'static str {
-    match cell.state {
-        State::Unavoidable => "unavoidable",
-        State::BeyondGrid => "beyond_grid",
-        State::Alongside => "alongside",
-        State::None => "none",
-        State::Tolerable => "tolerable",
-    }
 }
 
 /// The colour of a cell: white where nothing helps, grey where the grid ends.

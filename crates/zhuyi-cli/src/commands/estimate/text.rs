@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 
 use zhuyi_core::FrameRates;
 use zhuyi_estimator::{State, Watch};
-use zhuyi_log::summary::STATES;
 use zhuyi_log::{Consistency, Log, Peak, Summary};
 
 use super::{Arguments, DEFAULT_EGO, Evaluated};
@@ -113,22 +112,15 @@ impl Scene<'_> {
 
     /// What came out for every vehicle as the ego.
     pub fn all(&self, all: &[Evaluated], written: &Path) -> String {
-        let header = [
-            "ego",
-            "steps",
-            "actors",
-            "none",
-            "tolerable",
-            "> 30 FPR",
-            "unavoidable",
-            "alongside",
-            "highest*",
-            "camera",
-            "at",
-            "for",
-            "extrapolated",
-        ];
-        let mut egos = table(&header, &[1, 2, 3, 4, 5, 6, 7, 8, 10, 12]);
+        let mut header = vec!["ego", "steps", "actors"];
+        header.extend(State::ALL.map(|state| match state {
+            State::BeyondGrid => "> 30 FPR",
+            state => state.name(),
+        }));
+        let names = [header.len() + 1, header.len() + 3];
+        header.extend(["highest*", "camera", "at", "for", "extrapolated"]);
+        let numbers = (1..header.len()).filter(|place| !names.contains(place));
+        let mut egos = table(&header, &numbers.collect::<Vec<_>>());
         let mut met = 0;
         for one in all {
             let summary = &one.summary;
@@ -237,7 +229,7 @@ fn states(summary: &Summary) -> String {
     let header = ["state", "answers", "share"];
     let mut states = table(&header, &[1, 2]);
     let all: usize = summary.states.iter().sum();
-    for (state, count) in STATES.iter().zip(summary.states) {
+    for (state, count) in State::ALL.iter().zip(summary.states) {
         let share = if all == 0 {
             0.0
         } else {

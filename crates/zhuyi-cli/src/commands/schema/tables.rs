@@ -50,6 +50,7 @@ fn column(line: &'static str) -> Option<Column> {
 #[cfg(test)]
 mod tests {
     use super::{PAGE, tables};
+    use zhuyi_estimator::State;
 
     #[test]
     fn law_every_line_of_the_page_is_read() {
@@ -66,5 +67,25 @@ mod tests {
                 "{table:?}"
             );
         }
+    }
+
+    #[test]
+    fn law_tables_of_states_name_all_of_them() {
+        let names = State::ALL.map(State::name);
+        let (last, others) = names.split_last().unwrap();
+        let list = format!("{} or {last}", others.join(", "));
+        let mut lists = 0;
+        for table in tables() {
+            for column in table.columns.iter().filter(|column| column.name == "state") {
+                assert_eq!(column.meaning, list, "{}", table.name);
+                lists += 1;
+            }
+            if table.name == "egos" {
+                let columns = table.columns.iter().map(|column| &*column.name);
+                let states: Vec<&str> = columns.filter(|name| names.contains(name)).collect();
+                assert_eq!(states, names);
+            }
+        }
+        assert_eq!(lists, 2);
     }
 }
