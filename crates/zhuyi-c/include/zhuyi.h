@@ -91,6 +91,10 @@ enum zhuyi_state
      * No latency of the grid is tolerable, and a conflict begins with the bodies side by side: no rate helps.
      */
     ZHUYI_STATE_ALONGSIDE = 4,
+    /**
+     * The ego stands where it is in conflict: no rate helps, and 1 FPR will do.
+     */
+    ZHUYI_STATE_STANDING = 5,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -343,13 +347,13 @@ typedef struct zhuyi_ego {
  */
 typedef struct zhuyi_estimate {
     /**
-     * [s] the tolerable latency; the largest of the grid where there is no conflict. NaN without has_latency:
-     * nothing is tolerable.
+     * [s] the tolerable latency; the largest of the grid where there is no conflict or the ego stands. NaN without
+     * has_latency: nothing is tolerable.
      */
     double latency;
     /**
      * [Hz] the frame processing rate asked for, at most 30, and 30 where no latency of the grid will do. NaN
-     * without has_fpr: no rate helps.
+     * without has_fpr: an actor alongside, which no rate helps.
      */
     double fpr;
     /**
@@ -520,6 +524,10 @@ typedef struct zhuyi_demand {
      * Actors alongside, which no rate helps.
      */
     uint32_t alongside;
+    /**
+     * Actors in conflict with an ego that stands, which no rate helps.
+     */
+    uint32_t standing;
     /**
      * Whether any actor asks for anything.
      */

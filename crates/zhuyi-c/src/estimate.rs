@@ -14,6 +14,8 @@ pub enum State {
     Unavoidable = 3,
     /// No latency of the grid is tolerable, and a conflict begins with the bodies side by side: no rate helps.
     Alongside = 4,
+    /// The ego stands where it is in conflict: no rate helps, and 1 FPR will do.
+    Standing = 5,
 }
 
 /// What refuses the next larger latency.
@@ -34,11 +36,11 @@ pub enum Binding {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
-    /// [s] the tolerable latency; the largest of the grid where there is no conflict. NaN without has_latency:
-    /// nothing is tolerable.
+    /// [s] the tolerable latency; the largest of the grid where there is no conflict or the ego stands. NaN without
+    /// has_latency: nothing is tolerable.
     pub latency: f64,
     /// [Hz] the frame processing rate asked for, at most 30, and 30 where no latency of the grid will do. NaN
-    /// without has_fpr: no rate helps.
+    /// without has_fpr: an actor alongside, which no rate helps.
     pub fpr: f64,
     /// [s] the time t_n that made the latency tolerable, from t_0. NaN without has_t_n.
     pub t_n: f64,
@@ -75,6 +77,7 @@ impl From<zhuyi_estimator::Estimate> for Estimate {
             zhuyi_estimator::State::BeyondGrid => State::BeyondGrid,
             zhuyi_estimator::State::Unavoidable => State::Unavoidable,
             zhuyi_estimator::State::Alongside => State::Alongside,
+            zhuyi_estimator::State::Standing => State::Standing,
         };
         let binding = match answer.binding {
             None => Binding::None,

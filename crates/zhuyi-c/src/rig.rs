@@ -51,6 +51,8 @@ pub struct Demand {
     pub unavoidable: u32,
     /// Actors alongside, which no rate helps.
     pub alongside: u32,
+    /// Actors in conflict with an ego that stands, which no rate helps.
+    pub standing: u32,
     /// Whether any actor asks for anything.
     pub has_actor: bool,
 }
@@ -134,6 +136,7 @@ impl From<zhuyi_estimator::Demand> for Demand {
             beyond_grid: demand.beyond_grid,
             unavoidable: demand.unavoidable,
             alongside: demand.alongside,
+            standing: demand.standing,
             has_actor: demand.actor.is_some(),
         }
     }

@@ -6,7 +6,8 @@
 //! | worst | the smallest |
 //! | mean | weighted by probability |
 //!
-//! Weights are normalised. Futures beyond the grid lie below every latency of it, the unavoidable ones below these;
+//! Weights are normalised. Before an ego that stands all futures tolerate the largest latency; those in conflict count
+//! as the more demanding ones. Futures beyond the grid lie below every latency of it, the unavoidable ones below these;
 //! in the mean both count as 1/30 s. Futures with the actor alongside ask for no rate and are left out; if all are,
 //! so is the answer.
 
@@ -26,8 +27,9 @@ pub struct ForecastEstimate {
     pub trajectory: Option<usize>,
 }
 
-/// Ranks from the least to the most demanding: no conflict, the latencies of the grid, beyond it, unavoidable.
-const RANKS: usize = MAX_LATENCIES + 3;
+/// Ranks from the least to the most demanding: no conflict, a standing ego, the latencies of the grid, beyond it,
+/// unavoidable.
+const RANKS: usize = MAX_LATENCIES + 4;
 
 /// Probability and first future of each rank.
 #[derive(Clone, Copy, Debug)]
@@ -82,7 +84,9 @@ impl Estimator {
         };
         // Futures that agree keep their answer, and so do those of which none tolerates anything.
         let held = |ranks: &[Ranked]| ranks.iter().filter(|ranked| ranked.first.is_some()).count();
-        let mixed = held(&ranks) > 1 && held(&ranks[..=self.latencies().len()]) > 0;
+        let mixed = held(&ranks[2..]) > 0
+            && held(&ranks) > 1
+            && held(&ranks[..self.latencies().len() + 2]) > 0;
         if self.params().aggregation == Aggregation::Mean && mixed && total > 0.0 {
             (estimate.state, estimate.latency) = (State::Tolerable, Some(latency_sum / total));
         }
@@ -93,15 +97,16 @@ impl Estimator {
     }
 
     fn rank(&self, estimate: &Estimate) -> Option<usize> {
-        let below = self.latencies().len() + 1;
+        let below = self.latencies().len() + 2;
         match (estimate.state, estimate.latency) {
             (State::None, _) => Some(0),
+            (State::Standing, _) => Some(1),
             (State::Tolerable, Some(latency)) => Some(
                 self.latencies()
                     .iter()
                     .take_while(|l| **l > latency)
                     .count()
-                    + 1,
+                    + 2,
             ),
             (State::Tolerable, None) | (State::BeyondGrid, _) => Some(below),
             (State::Unavoidable, _) => Some(below + 1),

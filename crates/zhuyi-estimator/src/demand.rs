@@ -5,8 +5,8 @@
 //! ```
 //!
 //! An actor counts for every camera that has some of its box in view at t_0, with the latency at which that
-//! camera runs now as l_0. A camera that covers nobody may take the largest latency. An actor alongside is helped
-//! by no rate: it is counted and asks for nothing. Left out: occlusion; [`Estimator::demands_where`] takes any
+//! camera runs now as l_0. A camera that covers nobody may take the largest latency. No rate helps with an actor
+//! alongside, nor an ego that stands: both are counted and ask for nothing. Left out: occlusion; [`Estimator::demands_where`] takes any
 //! other rule of who counts, and [`Estimator::demands_into`] writes into a list of the caller's and allocates nothing.
 
 use crate::estimate::State;
@@ -41,6 +41,8 @@ pub struct Demand {
     pub unavoidable: u32,
     /// Actors alongside.
     pub alongside: u32,
+    /// Actors in conflict with an ego that stands.
+    pub standing: u32,
 }
 
 impl Estimator {
@@ -131,6 +133,7 @@ impl Estimator {
             beyond_grid: 0,
             unavoidable: 0,
             alongside: 0,
+            standing: 0,
         }
     }
 
@@ -143,13 +146,18 @@ impl Estimator {
     ) {
         let answer = answer.into();
         match answer.state {
-            State::None | State::Tolerable => {}
+            State::None => return,
+            State::Tolerable => {}
             State::BeyondGrid => demand.beyond_grid += 1,
             State::Unavoidable => demand.unavoidable += 1,
-            State::Alongside => demand.alongside += 1,
-        }
-        if matches!(answer.state, State::None | State::Alongside) {
-            return;
+            State::Alongside => {
+                demand.alongside += 1;
+                return;
+            }
+            State::Standing => {
+                demand.standing += 1;
+                return;
+            }
         }
         let latency = answer.latency.unwrap_or_else(|| self.smallest());
         let first = demand.actor.is_none() && !demand.phantom;
@@ -288,12 +296,15 @@ mod tests {
     fn hand_actors_that_no_rate_helps_ask_for_nothing() {
         let demand = of_one_camera(&[
             answer(State::Alongside, None),
+            answer(State::Standing, Some(1.0)),
             answer(State::Tolerable, Some(0.5)),
         ]);
         assert_eq!(
-            (demand.fpr, demand.actor, demand.alongside),
-            (2.0, Some(ActorId(1)), 1)
+            (demand.fpr, demand.actor, demand.alongside, demand.standing),
+            (2.0, Some(ActorId(2)), 1, 1)
         );
+        let demand = of_one_camera(&[answer(State::Standing, Some(1.0))]);
+        assert_eq!((demand.fpr, demand.actor, demand.standing), (1.0, None, 1));
         let demand = of_one_camera(&[
             answer(State::BeyondGrid, None),
             answer(State::Unavoidable, None),

@@ -57,6 +57,9 @@ pub fn braking_decel(accel: f64, c3: f64, c4: f64) -> f64 {
     if accel < 0.0 { c3.max(c4 * -accel) } else { c3 }
 }
 
+/// [m/s] below this an ego that does not accelerate stands (reading R8b).
+pub const STANDING_SPEED: f64 = 0.1;
+
 /// The state of the ego at t_0, freed of what its motion cannot have: it does not roll backwards, and standing it
 /// has no acceleration (reading R12).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,6 +81,20 @@ impl Start {
                 accel: 0.0,
             }
         }
+    }
+
+    /// Returns whether the ego stands, so that no frame rate helps it (reading R8b): slower than [`STANDING_SPEED`], and
+    /// not starting off.
+    ///
+    /// ```
+    /// use zhuyi_estimator::ego_motion::Start;
+    /// assert!(Start::new(0.0, 0.0).stands() && Start::new(0.09, -1.0).stands());
+    /// assert!(!Start::new(0.1, -1.0).stands() && !Start::new(0.09, 0.1).stands());
+    /// // A stopped ego has no acceleration (reading R12), and one that reverses counts as stopped (reading R2).
+    /// assert!(Start::new(0.0, 2.0).stands() && Start::new(-3.0, 2.0).stands());
+    /// ```
+    pub fn stands(&self) -> bool {
+        self.speed < STANDING_SPEED && self.accel <= 0.0
     }
 
     /// [m] distance covered by `time` if the acceleration is held, until the ego stands.

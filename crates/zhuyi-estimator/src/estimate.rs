@@ -80,6 +80,8 @@ states! {
     Unavoidable = "unavoidable",
     /// No latency of the grid is tolerable, and a conflict begins with the bodies side by side: no rate helps.
     Alongside = "alongside",
+    /// The ego stands where it is in conflict: no rate helps, and 1 FPR will do (reading R8b).
+    Standing = "standing",
 }
 
 /// What refuses a latency.
@@ -113,8 +115,8 @@ impl Binding {
 pub struct Estimate {
     /// What kind of answer.
     pub state: State,
-    /// [s] the tolerable latency; the largest of the grid where there is no conflict, none where nothing is
-    /// tolerable.
+    /// [s] the tolerable latency; the largest of the grid where there is no conflict or the ego stands, none where
+    /// nothing is tolerable.
     pub latency: Option<f64>,
     /// [s] the t_n that made it tolerable, from t_0; the criterion `standstill` has none.
     pub t_n: Option<f64>,
@@ -166,8 +168,8 @@ impl Estimate {
         }
     }
 
-    /// [Hz] how much the actor matters: 1/l (paper, "work prioritization"), as [`Estimate::fpr`]; zero where no rate
-    /// helps.
+    /// [Hz] how much the actor matters: 1/l (paper, "work prioritization"), as [`Estimate::fpr`]; zero for an actor
+    /// alongside.
     ///
     /// ```
     /// use zhuyi_estimator::{Estimate, State};
@@ -208,7 +210,8 @@ impl Estimate {
             State::BeyondGrid => 1,
             State::Tolerable => 2,
             State::None => 3,
-            State::Alongside => 4,
+            State::Standing => 4,
+            State::Alongside => 5,
         }
     }
 }

@@ -24,7 +24,7 @@ pub(crate) struct Answer {
     /// How often a candidate was looked at on a piece.
     evaluations: u32,
     /// The place among the candidates of the first that has a t_n, about that of the answer; nowhere if there was no conflict,
-    /// or if no rate helped.
+    /// or if no rate helps.
     pub place: Option<usize>,
 }
 
@@ -164,8 +164,13 @@ impl Estimator {
         if let Some(encounter) = Encounter::new(&self.params, &corridor) {
             return self.conflict(&encounter, current_latency, guess, None);
         }
+        self.unasked(State::None, view)
+    }
+
+    /// An answer for which no latency is tried: any will do.
+    fn unasked(&self, state: State, view: &View<'_>) -> Answer {
         let estimate = Estimate {
-            state: State::None,
+            state,
             latency: Some(self.largest()),
             t_n: None,
             binding: None,
@@ -186,6 +191,9 @@ impl Estimator {
         guess: Option<usize>,
         known: Option<usize>,
     ) -> Answer {
+        if encounter.corridor.held.stands() {
+            return self.unasked(State::Standing, encounter.corridor.view);
+        }
         let judge = Judge {
             encounter,
             params: &self.params,
@@ -257,7 +265,7 @@ impl Estimator {
     fn place(&self, estimate: &Estimate) -> Option<usize> {
         let latencies = self.latencies();
         match estimate.state {
-            State::None | State::Alongside => None,
+            State::None | State::Standing | State::Alongside => None,
             State::Tolerable => Some(self.first_within(estimate.latency?)),
             State::BeyondGrid | State::Unavoidable => Some(latencies.len()),
         }

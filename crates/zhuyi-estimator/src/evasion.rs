@@ -208,7 +208,8 @@ impl Estimator {
             estimate: braking,
             procedure: Procedure::Brake,
         };
-        let (Some(evasion), false) = (self.params().evasion, braking.state == State::None) else {
+        let any_latency = matches!(braking.state, State::None | State::Standing);
+        let (Some(evasion), false) = (self.params().evasion, any_latency) else {
             return best;
         };
         let latencies = self.latencies();

@@ -8,9 +8,10 @@
 //! ```
 //!
 //! The first is t_r = l + K (l - l_0) (reading R1) solved for l. A model that knows no latencies, such as RSS, is put
-//! to the same use as Zhuyi in this way, and what differs between two answers is the model alone.
+//! to the same use as Zhuyi in this way, and what differs between two answers is the model alone. Where a model sees
+//! danger for an ego that stands, the answer is [`State::Standing`] (reading R8b), whatever the model.
 
-use crate::ego_motion::{latency_within, reaction_time};
+use crate::ego_motion::{Start, latency_within, reaction_time};
 use crate::{Ego, Estimate, Estimator, Future, State};
 use zhuyi_core::Footprint;
 
@@ -91,6 +92,9 @@ impl Estimator {
     ) -> Estimate {
         let (state, latency) = match model.reaction(ego, actor, future) {
             Reaction::NoDanger => (State::None, Some(self.largest())),
+            _ if Start::new(ego.speed, ego.accel).stands() => {
+                (State::Standing, Some(self.largest()))
+            }
             Reaction::TooLate => (State::Unavoidable, None),
             Reaction::Within(reaction) => {
                 let frames = self.params().confirm_frames;

@@ -104,12 +104,12 @@ impl Playback<'_> {
             if !is_near || !proof.holds(params, lines, ego.s, held, now, current_latency) {
                 self.proof = None;
             } else if !params.jumps() {
-                return self.tolerable(proof);
+                return self.proven(proof, held);
             }
         }
         let now = self.look(now, lines);
         if self.is_surely_quiet(ego, lines, now) {
-            return self.quiet();
+            return self.any_latency(State::None);
         }
         self.looked_for(ego, now, current_latency)
     }
@@ -120,8 +120,11 @@ impl Playback<'_> {
         let view = now.of(self.recording, &self.runs);
         let corridor = Corridor::new(params, ego, self.actor, &view);
         let Some(encounter) = Encounter::new(params, &corridor) else {
-            return self.quiet();
+            return self.any_latency(State::None);
         };
+        if corridor.held.stands() {
+            return self.any_latency(State::Standing);
+        }
         let prove = |index: usize| {
             let delay = |index: usize| estimator.delay_of(index, current_latency);
             let is_tolerable = index < estimator.latencies().len();
@@ -137,7 +140,7 @@ impl Playback<'_> {
         if let Some(proof) = &self.proof
             && !params.jumps()
         {
-            return self.tolerable(proof);
+            return self.proven(proof, corridor.held);
         }
         let known = self.proof.map(|proof| proof.index);
         let answer = estimator.conflict(&encounter, current_latency, last, known);
@@ -152,14 +155,20 @@ impl Playback<'_> {
         answer.estimate.into()
     }
 
-    fn quiet(&self) -> Tolerance {
+    /// The tolerance where no latency is tried.
+    fn any_latency(&self, state: State) -> Tolerance {
         Tolerance {
-            state: State::None,
+            state,
             latency: Some(self.estimator.largest()),
         }
     }
 
-    fn tolerable(&self, proof: &Proof) -> Tolerance {
+    /// The tolerance that a proof gives an ego in this motion. A latency can be tolerable in a conflict alone, so an ego
+    /// that stands meanwhile stands in one.
+    fn proven(&self, proof: &Proof, held: Start) -> Tolerance {
+        if held.stands() {
+            return self.any_latency(State::Standing);
+        }
         Tolerance {
             state: State::Tolerable,
             latency: self.estimator.latencies().get(proof.index).copied(),

@@ -202,7 +202,7 @@ fn collision_fields(experiment: &Experiment<'_>, record: &Record) -> [String; 6]
     ]
 }
 
-fn demand_fields(record: &Record) -> [String; 5] {
+fn demand_fields(record: &Record) -> [String; 6] {
     let Some(peaks) = record.peaks.get(TABLE) else {
         return Default::default();
     };
@@ -212,5 +212,6 @@ fn demand_fields(record: &Record) -> [String; 5] {
         peaks.beyond_grid.to_string(),
         peaks.unavoidable.to_string(),
         peaks.alongside.to_string(),
+        peaks.standing.to_string(),
     ]
 }

@@ -76,6 +76,8 @@ pub struct Estimates {
     pub unavoidable: u32,
     /// Runs in which an actor in view was alongside in the corridor.
     pub alongside: u32,
+    /// Runs in which the ego stood in conflict with an actor in view.
+    pub standing: u32,
 }
 
 impl Table {
@@ -160,6 +162,7 @@ impl Estimates {
             beyond_grid: runs(|peaks| peaks.beyond_grid),
             unavoidable: runs(|peaks| peaks.unavoidable),
             alongside: runs(|peaks| peaks.alongside),
+            standing: runs(|peaks| peaks.standing),
             all,
         })
     }

@@ -6,8 +6,8 @@
 //! |---|---|
 //! | `time_s` | t_0 |
 //! | `actor` | its id |
-//! | `state` | `none`, `tolerable`, `beyond_grid`, `unavoidable` or `alongside` |
-//! | `latency_s` | tolerable latency; the largest of the grid for `none` |
+//! | `state` | `none`, `tolerable`, `beyond_grid`, `unavoidable`, `alongside` or `standing` |
+//! | `latency_s` | tolerable latency; the largest of the grid for `none` and `standing` |
 //! | `t_n_s` | the t_n that made it tolerable, counted from t_0 |
 //! | `binding` | what refused the next larger latency: `distance`, `speed` or `pass_through` |
 //! | `extrapolated_s` | how much of the horizon lies behind the actor's last row |
@@ -20,7 +20,7 @@
 //! |---|---|
 //! | `time_s` | t_0 |
 //! | `camera` | its name |
-//! | `latency_s`, `fpr_hz` | what is asked of it: the smallest latency of the actors that it covers, and 1 over it, at most 30; `beyond_grid` and `unavoidable` count as 30, `alongside` is left out |
+//! | `latency_s`, `fpr_hz` | what is asked of it: the smallest latency of the actors that it covers, and 1 over it, at most 30; `beyond_grid` and `unavoidable` count as 30, `alongside` and `standing` are left out |
 //! | `actor` | who asks for it; empty where nobody asks for anything |
 //!
 //! `criticality.csv`, one row per time and actor as in `actors.csv`:
@@ -37,7 +37,7 @@
 //! | `ego` | its id |
 //! | `steps` | steps at which it is there |
 //! | `actors` | other vehicles that are there at one of them |
-//! | `none`, `tolerable`, `beyond_grid`, `unavoidable`, `alongside` | answers of that state, one per step and actor |
+//! | `none`, `tolerable`, `beyond_grid`, `unavoidable`, `alongside`, `standing` | answers of that state, one per step and actor |
 //! | `fpr_hz`, `camera` | the highest demand on an analysed camera, and which |
 //! | `time_s`, `actor` | the first step at which somebody asks for so much, and who; with `camera` empty where nobody ever does |
 //! | `extrapolated_share` | share of all actors' horizons that lies behind their last rows; empty without actors |

@@ -97,7 +97,7 @@ mod tests {
         let mut list = Vec::new();
         let mut ways = Ways::new(&mut list);
         super::trajectories(track, road, manoeuvres, &mut ways);
-        ways.end();
+        ways.end(track);
         list
     }
 

@@ -282,6 +282,7 @@ impl<'a> Hindsight<'a> {
                 peaks.beyond_grid |= demand.beyond_grid > 0;
                 peaks.unavoidable |= demand.unavoidable > 0;
                 peaks.alongside |= demand.alongside > 0;
+                peaks.standing |= demand.standing > 0;
                 if demand.fpr > peaks.largest {
                     peaks.largest = demand.fpr;
                 }
@@ -308,6 +309,8 @@ pub struct Peaks {
     pub unavoidable: bool,
     /// Whether at some step an actor in view of an analysed camera was alongside in the corridor.
     pub alongside: bool,
+    /// Whether at some step the ego stood in conflict with an actor in view of an analysed camera.
+    pub standing: bool,
 }
 
 /// A camera's largest demand, when it came first and from whom.

@@ -46,8 +46,8 @@ vehicles may appear and vanish. Steps without the ego are skipped.
 Writes DIR/actors.csv (time_s, actor, state, latency_s, t_n_s, binding, extrapolated_s, cameras), one row per time and \
 vehicle that is there, in view of a camera or not, DIR/cameras.csv (time_s, camera, latency_s, fpr_hz, actor), and \
 DIR/criticality.csv (time_s, actor, ttc_s, ttc_2d_s, thw_s, drac_mps2, pet_s, ttb_s, btn, impact_mps); with --all-egos \
-DIR/egos.csv alone (ego, steps, actors, the number of answers of each state none, tolerable, beyond_grid, unavoidable and \
-alongside, the highest demand of an analysed camera as fpr_hz, camera, time_s, actor, and extrapolated_share), one row per \
+DIR/egos.csv alone (ego, steps, actors, the number of answers of each state none, tolerable, beyond_grid, unavoidable, \
+alongside and standing, the highest demand of an analysed camera as fpr_hz, camera, time_s, actor, and extrapolated_share), one row per \
 vehicle. What there is not is an empty field: t_n_s with the criterion standstill, an actor that nobody asks for. Occlusion is ignored. Past its last row a vehicle keeps its speed and offset. The same command \
 gives the same bytes.")]
 pub struct Arguments {

@@ -106,7 +106,7 @@ fn regress_the_names_of_the_document() {
     );
     assert_eq!(
         names(&document["estimate"]),
-        "alongside beyond_grid largest_fpr largest_sum_fpr unavoidable until_contact"
+        "alongside beyond_grid largest_fpr largest_sum_fpr standing unavoidable until_contact"
     );
     assert_eq!(
         names(&document["cameras"][0]),

@@ -316,10 +316,10 @@ fn hand_every_vehicle_as_the_ego() {
     let told = bench.out("estimate t.csv --all-egos --out o");
     assert_eq!(bench.names("o"), ["egos.csv"]);
     let expected = "\
-ego,steps,actors,none,tolerable,beyond_grid,unavoidable,alongside,fpr_hz,camera,time_s,actor,extrapolated_share
-ego,5,2,1,5,0,0,0,1.858736,front_120,0.3,\"wreck, red\",0.990833
-\"wreck, red\",5,2,6,0,0,0,0,1.000000,,,,0.990833
-late,2,2,0,2,0,0,0,1.000000,front_120,0.4,ego,1.000000
+ego,steps,actors,none,tolerable,beyond_grid,unavoidable,alongside,standing,fpr_hz,camera,time_s,actor,extrapolated_share
+ego,5,2,1,5,0,0,0,0,1.858736,front_120,0.3,\"wreck, red\",0.990833
+\"wreck, red\",5,2,6,0,0,0,0,0,1.000000,,,,0.990833
+late,2,2,0,2,0,0,0,0,1.000000,front_120,0.4,ego,1.000000
 ";
     assert_eq!(bench.read("o/egos.csv"), expected);
     assert!(

@@ -29,7 +29,7 @@ fn ask(scene: &Scene, params: &Params, sides: Sides) -> EvasionEstimate {
 /// How much is tolerated, as a number that grows.
 fn tolerance(estimate: &Estimate) -> f64 {
     match estimate.state {
-        State::None | State::Tolerable => estimate.latency.unwrap_or(f64::NAN),
+        State::None | State::Standing | State::Tolerable => estimate.latency.unwrap_or(f64::NAN),
         State::BeyondGrid => 0.0,
         State::Unavoidable | State::Alongside => -1.0,
     }

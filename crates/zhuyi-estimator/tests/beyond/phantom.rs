@@ -186,7 +186,7 @@ proptest! {
             let phantom = around.phantoms(&[watch(&camera)], &PhantomParams { headway, ..PhantomParams::default() }).next().unwrap();
             let estimate = estimator.trajectory(&start, CAR, &phantom.future(), L0);
             let tolerated = match estimate.state {
-                State::None | State::Tolerable => estimate.latency.unwrap(),
+                State::None | State::Standing | State::Tolerable => estimate.latency.unwrap(),
                 State::BeyondGrid => 0.0,
                 State::Unavoidable | State::Alongside => -1.0,
             };

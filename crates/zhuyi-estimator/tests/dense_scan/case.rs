@@ -55,10 +55,10 @@ impl Case {
             length: dice.between(1.8, 16.0),
             width: dice.between(0.6, 2.6),
         };
-        let speed = if dice.chance(0.1) {
-            0.0
-        } else {
-            dice.between(0.3, 45.0)
+        let speed = match dice.below(10) {
+            0 if dice.chance(0.5) => 0.0,
+            0 => dice.between(0.0, 0.2),
+            _ => dice.between(0.3, 45.0),
         };
         let accel = if dice.chance(0.3) {
             0.0

@@ -253,10 +253,10 @@ fn draw_ego(dice: &mut Dice) -> Ego {
         length: dice.between(3.6, 5.2),
         width: dice.between(1.6, 2.1),
     };
-    let speed = if dice.chance(0.1) {
-        0.0
-    } else {
-        dice.between(0.3, 45.0)
+    let speed = match dice.below(10) {
+        0 if dice.chance(0.5) => 0.0,
+        0 => dice.between(0.0, 0.2),
+        _ => dice.between(0.3, 45.0),
     };
     let accel = if dice.chance(0.3) {
         0.0

@@ -44,6 +44,7 @@ fn count(figures: &mut Figures, state: State, largest: bool) {
         State::BeyondGrid => "state: beyond_grid",
         State::Unavoidable => "state: unavoidable",
         State::Alongside => "state: alongside",
+        State::Standing => "state: standing",
     });
 }
 

@@ -25,7 +25,7 @@
 //! | shift, mirror, another time, pieces cut, samples between samples: the same answer | all, both solvers |
 //! | the world turned, moved, mirrored: the same demands per camera | all |
 //! | percentile and mean between worst and best | all futures that are not `alongside` |
-//! | `cautious`: every smaller latency is tolerable too | all, both solvers, any C4 |
+//! | `cautious`: every smaller latency is tolerable too | the ego does not stand (reading R8b); both solvers, any C4 |
 //!
 //! Outside these domains failures are counted.
 //!

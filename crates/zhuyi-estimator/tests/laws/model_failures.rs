@@ -7,6 +7,7 @@
 
 use crate::case::{Case, Way};
 use crate::law::{Asked, Figures, Law, Side, tolerance};
+use zhuyi_estimator::State;
 
 pub const LAWS: &[&Law] = &[&REPAIRED, &JUMPS, &WEAK];
 
@@ -34,6 +35,9 @@ const REPAIRED: Law = Law {
             }
             for way in Way::ALL {
                 let answer = cautious.answer(way)?;
+                if answer.state == State::Standing {
+                    continue;
+                }
                 let estimator = case.estimator(way);
                 let grid = estimator.latencies();
                 let refused = |l: f64| {

@@ -63,6 +63,10 @@ impl Plain<'_> {
         if !self.conflict {
             return of(State::None, Some(grid[0]), None, None);
         }
+        // R8b, spelt out.
+        if case.ego.speed < 0.1 && case.held_accel() <= 0.0 {
+            return of(State::Standing, Some(grid[0]), None, None);
+        }
         let tolerates = |l: &f64| self.tolerates(self.reaction(*l), way);
         let answered = answer
             .latency

@@ -71,7 +71,7 @@ const CRITERIA: Law = Law {
     name: "standstill tolerates no more than paper (no law: counted)",
     check: |asked, figures| {
         let (paper, standstill) = (asked.answer(Way::Exact)?, asked.answer(Way::Standstill)?);
-        if paper.state == State::None {
+        if matches!(paper.state, State::None | State::Standing) {
             return Ok(Side::Silent);
         }
         after_t_n(asked, paper.state, paper.latency, figures);

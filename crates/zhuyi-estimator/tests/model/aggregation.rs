@@ -109,3 +109,34 @@ fn hand_futures_alongside_are_left_out() {
     );
     assert_eq!(ask(&[]), (State::None, Some(1.0), None));
 }
+
+/// A car 5 m ahead of a standing ego backs into it, or moves over before. All aggregations give the largest latency; the
+/// state is that of a conflict unless the futures without one make up the share that counts.
+#[test]
+fn hand_futures_before_a_standing_ego() {
+    let (backs, leaves) = (
+        Scene::following(0.0, 5.0, -1.0),
+        Scene::following(0.0, 5.0, -1.0).jumps_to(-1.0, 3.5),
+    );
+    let of = |weight: f64, aggregation: Aggregation| {
+        let scenes = [(weight, backs.clone()), (1.0 - weight, leaves.clone())];
+        let estimator = Estimator::new(Params {
+            aggregation,
+            ..Params::default()
+        });
+        let found = estimator.forecast(&backs.ego, &forecast(&scenes), 0.0, L0);
+        assert_eq!(found.estimate.latency, Some(1.0));
+        (found.estimate.state, found.trajectory)
+    };
+    for aggregation in [
+        Aggregation::Percentile(0.99),
+        Aggregation::Worst,
+        Aggregation::Mean,
+    ] {
+        assert_eq!(of(0.5, aggregation), (State::Standing, Some(0)));
+    }
+    assert_eq!(
+        of(0.005, Aggregation::Percentile(0.99)),
+        (State::None, Some(1))
+    );
+}

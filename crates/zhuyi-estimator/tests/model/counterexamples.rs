@@ -177,14 +177,14 @@ fn hand_before_the_conflict_the_true_gap_counts() {
     assert!((estimate.t_n.unwrap() - (1.0 + 1.1 / 4.9)).abs() < 1e-6);
 }
 
-/// A stopped ego has no acceleration, whatever its sensor says.
+/// A stopped ego has no acceleration, whatever its sensor says: it stands.
 #[test]
 fn hand_a_stopped_ego_tolerates_everything_ahead() {
     let mut scene = Scene::following(0.0, 1.0, 0.0);
     scene.ego.accel = 2.0;
     assert_eq!(
         answer(&scene.ask(&Params::default())),
-        (State::Tolerable, Some(1.0))
+        (State::Standing, Some(1.0))
     );
 }
 

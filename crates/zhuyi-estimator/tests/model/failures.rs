@@ -2,8 +2,13 @@
 //!
 //! How often each happens among random cases is counted in `tests/laws`; `src/laws.md` tells the figures.
 
-use crate::scene::Scene;
-use zhuyi_estimator::{Criterion, Estimate, Grid, Params, Solver, State};
+use crate::scene::{CAR, L0, Scene};
+use zhuyi_core::Footprint;
+use zhuyi_estimator::evasion::{Evasion, Procedure, Sides};
+use zhuyi_estimator::model::{Reaction, SafetyModel};
+use zhuyi_estimator::{
+    Criterion, Ego, Estimate, Estimator, Future, Grid, Params, Solver, State, Uncertainty,
+};
 
 fn answer(estimate: &Estimate) -> (State, Option<f64>) {
     (estimate.state, estimate.latency)
@@ -104,17 +109,110 @@ fn hand_standstill_asks_for_less_before_a_standing_car() {
     assert_eq!(of(Criterion::Standstill), Some(0.67));
 }
 
-/// An actor 5 m ahead backs up at 1 m/s into an ego that stands. No braking helps, and yet `paper` grants what reacts
-/// before the touch at 5 s, t_r = 4.843 (l = 0.835) but not 5.041 (0.868), and `standstill` calls it unavoidable.
+/// An actor 5 m ahead backs up at 1 m/s into an ego that stands: no braking helps, and it is put down as that (reading
+/// R8b). An ego that creeps at the border of standing is asked as any other: `paper` grants what reacts before the touch
+/// after 5 / 1.1 = 4.545 s, t_r = 4.447 (l = 0.769) but not 4.645 (0.802), and `standstill` calls it unavoidable.
 #[test]
-fn hand_an_actor_that_backs_into_a_standing_ego_is_put_down_to_the_ego() {
-    let scene = Scene::following(0.0, 5.0, -1.0);
-    let of = |criterion| {
+fn hand_an_actor_that_backs_into_a_standing_ego_is_not_put_down_to_the_ego() {
+    let of = |speed: f64, accel: f64, criterion| {
+        let mut scene = Scene::following(speed, 5.0, -1.0);
+        scene.ego.accel = accel;
         answer(&scene.ask(&Params {
             criterion,
             ..Params::default()
         }))
     };
-    assert_eq!(of(Criterion::Paper), (State::Tolerable, Some(0.835)));
-    assert_eq!(of(Criterion::Standstill), (State::Unavoidable, None));
+    let standing = (State::Standing, Some(1.0));
+    for criterion in [Criterion::Paper, Criterion::Standstill] {
+        for (speed, accel) in [
+            (0.0, 0.0),
+            (0.0, 1.0),
+            (-2.0, 1.0),
+            (0.099, 0.0),
+            (0.099, -5.0),
+        ] {
+            assert_eq!(of(speed, accel, criterion), standing, "{speed} {accel}");
+        }
+        // Starting off.
+        assert_ne!(of(0.099, 0.1, criterion).0, State::Standing);
+    }
+    assert_eq!(
+        of(0.1, 0.0, Criterion::Paper),
+        (State::Tolerable, Some(0.769))
+    );
+    assert_eq!(
+        of(0.1, 0.0, Criterion::Standstill),
+        (State::Unavoidable, None)
+    );
+}
+
+/// Reading R8b is decided after `none` and before `alongside`: an actor in the next lane is nobody's business, and one
+/// beside a standing ego that moves over into it is `standing` though the conflict begins with the bodies side by side.
+#[test]
+fn hand_standing_comes_after_none_and_before_alongside() {
+    let beside = |speed: f64| Scene::following(speed, -3.0, speed).jumps_to(-1.0, 3.5);
+    let ask = |scene: Scene| answer(&scene.ask(&Params::default()));
+    assert_eq!(ask(beside(0.0)), (State::None, Some(1.0)));
+    assert_eq!(
+        ask(beside(0.0).jumps_to(1.0, 0.0)),
+        (State::Standing, Some(1.0))
+    );
+    assert_eq!(
+        ask(beside(10.0).jumps_to(1.0, 0.0)),
+        (State::Alongside, None)
+    );
+}
+
+/// A model with one answer.
+struct Always(Reaction);
+impl SafetyModel for Always {
+    fn name(&self) -> &'static str {
+        "always"
+    }
+    fn reaction(&self, _: &Ego, _: Footprint, _: &Future<'_>) -> Reaction {
+        self.0
+    }
+}
+
+/// No way of asking tells a standing ego anything else: every criterion and solver, evasion, uncertainty, other models.
+#[test]
+fn hand_a_standing_ego_is_standing_by_every_way_of_asking() {
+    let scene = Scene::following(0.0, 5.0, -1.0);
+    let standing = (State::Standing, Some(1.0));
+    let ways = [
+        Params {
+            solver: Solver::Paper,
+            ..Params::default()
+        },
+        Params {
+            evasion: Some(Evasion::default()),
+            ..Params::default()
+        },
+        Params {
+            uncertainty: Some(Uncertainty::example()),
+            ..Params::default()
+        },
+    ];
+    for params in ways {
+        let estimator = Estimator::new(params);
+        let (ego, future) = (&scene.ego, scene.future());
+        assert_eq!(
+            answer(&estimator.trajectory(ego, CAR, &future, L0)),
+            standing
+        );
+        let evading = estimator.evading(ego, CAR, &future, Sides::BOTH, L0);
+        assert_eq!(
+            (answer(&evading.estimate), evading.procedure),
+            (standing, Procedure::Brake)
+        );
+    }
+    let by = |scene: &Scene, reaction| {
+        let estimator = Estimator::new(Params::default());
+        answer(&estimator.by_model(&Always(reaction), &scene.ego, CAR, &scene.future(), L0))
+    };
+    assert_eq!(by(&scene, Reaction::TooLate), standing);
+    assert_eq!(by(&scene, Reaction::Within(0.0)), standing);
+    assert_eq!(by(&scene, Reaction::NoDanger), (State::None, Some(1.0)));
+    let moving = Scene::following(1.0, 5.0, -1.0);
+    assert_eq!(by(&moving, Reaction::TooLate), (State::Unavoidable, None));
 }

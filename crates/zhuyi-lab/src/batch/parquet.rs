@@ -246,7 +246,7 @@ mod tests {
                 cells += 1;
             }
         }
-        assert_eq!(cells, 3 * 26);
+        assert_eq!(cells, 3 * 27);
         assert_eq!(batch.num_rows(), 3);
     }
 

@@ -1,7 +1,7 @@
 //! The audit: at every step and analysed camera, what each model asked for beside what was needed.
 //!
-//! A step of a camera counts apart where no rate of the grid will do (needed is `unavoidable` or `beyond_grid`) or an actor is
-//! `alongside`; elsewhere it is judged: short, or enough (see [`Joint`]). The worst moment of a model is that of its largest
+//! A step of a camera counts apart where no rate of the grid will do (needed is `unavoidable` or `beyond_grid`) or none helps
+//! (`alongside` or `standing`); elsewhere it is judged: short, or enough (see [`Joint`]). The worst moment of a model is that of its largest
 //! shortfall, the first of equals.
 
 use zhuyi_core::{ActorId, FrameRates, Road, SimTime};
@@ -26,6 +26,8 @@ pub struct Apart {
     pub beyond_grid: u64,
     /// An actor was alongside, which no rate helps.
     pub alongside: u64,
+    /// The ego stood, which no rate helps.
+    pub standing: u64,
 }
 
 /// One model in one run, or in several.
@@ -220,6 +222,8 @@ impl Apart {
             self.beyond_grid += 1;
         } else if needed.alongside > 0 {
             self.alongside += 1;
+        } else if needed.standing > 0 {
+            self.standing += 1;
         } else {
             return false;
         }
@@ -231,11 +235,12 @@ impl Apart {
         self.unavoidable += other.unavoidable;
         self.beyond_grid += other.beyond_grid;
         self.alongside += other.alongside;
+        self.standing += other.standing;
     }
 
     /// All of them.
     pub fn total(&self) -> u64 {
-        self.unavoidable + self.beyond_grid + self.alongside
+        self.unavoidable + self.beyond_grid + self.alongside + self.standing
     }
 }
 

@@ -93,11 +93,12 @@ pub(super) fn csv(comparison: &Comparison, compared: &Compared) -> String {
     text
 }
 
-fn apart(apart: &Apart) -> [(&'static str, u64); 3] {
+fn apart(apart: &Apart) -> [(&'static str, u64); 4] {
     [
         ("camera_steps_unavoidable", apart.unavoidable),
         ("camera_steps_beyond_grid", apart.beyond_grid),
         ("camera_steps_alongside", apart.alongside),
+        ("camera_steps_standing", apart.standing),
     ]
 }
 

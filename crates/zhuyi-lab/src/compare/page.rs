@@ -127,8 +127,8 @@ fn about_the_audit(comparison: &Comparison, compared: &Compared, total: &Total) 
         "None counts apart".to_string()
     } else {
         format!(
-            "Apart count those at which braking at once comes too late ({}), that need more than 30 FPR ({}) and with an actor alongside ({})",
-            apart.unavoidable, apart.beyond_grid, apart.alongside
+            "Apart count those at which braking at once comes too late ({}), that need more than 30 FPR ({}), with an actor alongside ({}) and with an ego that stands ({})",
+            apart.unavoidable, apart.beyond_grid, apart.alongside, apart.standing
         )
     };
     let peaks = if comparison.every == 1 {

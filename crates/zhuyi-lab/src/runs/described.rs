@@ -6,6 +6,7 @@ use super::Columns;
 use crate::batch::SCHEMA;
 use crate::columns::{Column, Kind, Table};
 use Kind::{Number, Text, Truth, Whole};
+use zhuyi_estimator::State;
 
 /// The columns by which a run is named, before those of what is varied.
 pub(crate) const NAMED_BY: [&str; 4] = ["scenario", "part", "fpr_hz", "seed"];
@@ -72,7 +73,7 @@ const EXTREMES: [Column; 4] = [
         "hardest braking of the ego",
     ),
 ];
-const DEMANDS: [Column; 5] = [
+const DEMANDS: [Column; 6] = [
     Column::fixed(
         "largest_estimate_fpr",
         Number,
@@ -86,22 +87,28 @@ const DEMANDS: [Column; 5] = [
         "the largest sum over the analysed cameras at one step",
     ),
     Column::fixed(
-        "beyond_grid",
+        State::BeyondGrid.name(),
         Truth,
         "",
         "whether some step asked for more than 30 FPR, which count as 30",
     ),
     Column::fixed(
-        "unavoidable",
+        State::Unavoidable.name(),
         Truth,
         "",
         "whether at some step even braking at once came too late, which counts as 30 FPR",
     ),
     Column::fixed(
-        "alongside",
+        State::Alongside.name(),
         Truth,
         "",
         "whether at some step someone was alongside in the ego's way, where no rate helps; left out of the demands",
+    ),
+    Column::fixed(
+        State::Standing.name(),
+        Truth,
+        "",
+        "whether at some step the ego stood in someone's way, where no rate helps; left out of the demands",
     ),
 ];
 

@@ -10,7 +10,7 @@ use std::fmt::Write as _;
 use crate::estimators::{TABLE, VARIANTS};
 use crate::paper;
 use crate::reproduce::Plan;
-use crate::table::{Row, Table, Tested};
+use crate::table::{Estimates, Row, Table, Tested};
 use crate::text::{cells, csv_row, decimals, markdown_table, spans};
 
 /// [m/s] one mile per hour.
@@ -92,7 +92,7 @@ pub fn markdown(plan: &Plan, table: &Table) -> String {
     text += &behind(table);
     text += "\nThe median over the seeds; b: runs that asked for more than the grid of latencies offers; u: runs in which even \
              braking at once came too late. Both count as 30 FPR.";
-    text += &alongside(table);
+    text += &unhelped(table);
     text += "\n\n## Collisions\n\n";
     text += &collisions(table);
     let _ = write!(
@@ -211,18 +211,29 @@ fn behind(table: &Table) -> String {
     markdown_table(&header, &table.rows.iter().map(line).collect::<Vec<_>>())
 }
 
-/// The runs in which an actor in view was alongside, by scenario.
-fn alongside(table: &Table) -> String {
+/// The runs in which no rate helped with an actor in view, by scenario.
+fn unhelped(table: &Table) -> String {
     let mut text = String::new();
     for row in &table.rows {
-        let of = |tested: &Tested| tested.estimates.get(TABLE).map_or(0, |of| of.alongside);
-        let runs: u32 = row.tested.iter().map(of).sum();
-        if runs > 0 {
-            let _ = write!(
-                text,
-                " Alongside, which no rate helps, was an actor in {runs} runs of {}.",
-                row.scenario
-            );
+        let runs = |of: fn(&Estimates) -> u32| -> u32 {
+            let tested = row.tested.iter();
+            tested
+                .filter_map(|tested| tested.estimates.get(TABLE))
+                .map(of)
+                .sum()
+        };
+        let counts = [
+            (
+                "Alongside, which no rate helps, was an actor",
+                runs(|of| of.alongside),
+            ),
+            (
+                "Standing before an actor, where no rate helps, was the ego",
+                runs(|of| of.standing),
+            ),
+        ];
+        for (what, runs) in counts.into_iter().filter(|(_, runs)| *runs > 0) {
+            let _ = write!(text, " {what} in {runs} runs of {}.", row.scenario);
         }
     }
     text

@@ -297,6 +297,10 @@ fn remarks(summary: &Summary) -> String {
             State::Alongside,
             "Alongside: in the ego's way beside it, where no rate helps; left out of the demands.",
         ),
+        (
+            State::Standing,
+            "Standing: the ego stands in somebody's way, where no rate helps; left out of the demands.",
+        ),
     ];
     for (_, remark) in remarks.iter().filter(|(state, _)| summary.of(*state) > 0) {
         text += remark;

@@ -131,6 +131,8 @@ pub struct Estimate {
     pub unavoidable: bool,
     /// Whether at some step someone was alongside in the ego's way, where no rate helps; left out of the demands.
     pub alongside: bool,
+    /// Whether at some step the ego stood in someone's way, where no rate helps; left out of the demands.
+    pub standing: bool,
 }
 
 /// The safety check over a drive with the estimate in the loop.
@@ -215,6 +217,7 @@ impl Summary {
                 beyond_grid: peaks.beyond_grid,
                 unavoidable: peaks.unavoidable,
                 alongside: peaks.alongside,
+                standing: peaks.standing,
             },
             alarms: alarms(asked),
             bytes_avoided: cameras

@@ -216,6 +216,10 @@ fn remarks(summary: &Summary) -> String {
             estimate.alongside,
             "At some time someone alongside came into the ego's way, where no rate helps; left out.",
         ),
+        (
+            estimate.standing,
+            "At some time the ego stood in someone's way, where no rate helps; left out.",
+        ),
     ];
     for (_, remark) in remarks.iter().filter(|(applies, _)| *applies) {
         text += remark;
