@@ -16,17 +16,24 @@
 //! - **Corners.** On the outer side of a corner the nearest point is the corner itself: d is the distance to it, and
 //!   the direction of the path there is taken square to the line to the point, which is the limit of rounding the
 //!   corner off. On the inner side the nearer leg counts.
-//! - **Standing.** Positions less than [`LEAST`] from the one before are passed over, so a standing ego whose position
-//!   jitters has no path of zigzags. Where nothing is left ahead, the frame is straight along the heading at t_0.
+//! - **Thinning.** From t_0 on, positions less than [`LEAST`] from the one before are passed over, so a standing ego whose
+//!   position jitters has no path of zigzags. No row before t_0 plays a part in what is passed over.
+//! - **Headings** count while the ego moves, at [`STANDING_SPEED`] or more: the first from t_0 on is the direction in which
+//!   the path comes, the last the one in which it goes on. The heading of a standing ego bends nothing.
+//! - **Standing.** Where the ego does not move any more, or less than [`LEAST`], the frame is straight: along the first
+//!   heading that counts, or the one at t_0 where none does.
 //! - **The ego itself** is at d = 0 of the path from t_0 on, by definition.
 //!
-//! One list of positions serves all t_0 of a log: s counts along it from the first row. The search is exact: from a
-//! point of the path at distance a, nothing nearer than b comes within a - b of path, so so much is passed over. And
-//! where all of the path is ahead of the ego, what is further behind the nearest of it than beside it has its foot
+//! Positions are linked once for all t_0 of a log (module `chain`); s counts back from where a path ends. The search is
+//! exact: from a point of the path at distance a, nothing nearer than b comes within a - b of path, so so much is passed
+//! over. And where all of the path is ahead of the ego, what is further behind the nearest of it than beside it has its foot
 //! straight back.
 
-use zhuyi_core::geometry::wrap_angle;
+mod chain;
+
+use chain::{Bounds, Chain};
 use zhuyi_core::{Point, Pose};
+use zhuyi_estimator::ego_motion::STANDING_SPEED;
 
 /// [m] positions nearer than this to the one before are no vertices of the path.
 pub const LEAST: f64 = 0.5;
@@ -34,21 +41,24 @@ pub const LEAST: f64 = 0.5;
 /// [m] a corner nearer than this to a point has the direction of its leg there.
 const ON_PATH: f64 = 1e-6;
 
-/// A vehicle's recorded positions, thinned out.
+/// A vehicle's recorded positions.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Path {
-    vertices: Vec<Vertex>,
-    /// Where it ends and goes straight on, and the direction there.
-    end: (Point, (f64, f64)),
+    chain: Chain,
+    rows: Vec<Marks>,
+    /// The last row at which the vehicle moves, and the direction then; none where it never does.
+    end: Option<(usize, (f64, f64))>,
 }
 
+/// What is known of the path from a row on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Vertex {
-    point: Point,
-    /// [m] arc length from the first one.
-    s: f64,
-    /// Place of the row that it stands for.
-    row: usize,
+struct Marks {
+    /// [rad] the first heading that counts.
+    heading: f64,
+    /// Around this position and all later ones.
+    later: Bounds,
+    /// The first position that the path from the first row has, too.
+    joins: Option<usize>,
 }
 
 /// The nearest point of a path, and the point as seen from it.
@@ -63,16 +73,23 @@ pub(crate) struct Foot {
 }
 
 impl Foot {
+    /// Cosine and sine of a heading [rad] against the path, which are what a unit vector in its direction is along the path
+    /// and across it.
+    pub fn turned(&self, heading: f64) -> (f64, f64) {
+        let ((sin, cos), (x, y)) = (libm::sincos(heading), self.direction);
+        (cos * x + sin * y, sin * x - cos * y)
+    }
+
     /// [m/s] what a speed in the direction of `heading` is along the path and across it.
     pub fn along_across(&self, speed: f64, heading: f64) -> (f64, f64) {
-        let ((sin, cos), (x, y)) = (libm::sincos(heading), self.direction);
-        (speed * (cos * x + sin * y), speed * (sin * x - cos * y))
+        let (along, across) = self.turned(heading);
+        (speed * along, speed * across)
     }
 
     /// [rad] the angle of a `heading` against the path, in (-π, π].
     pub fn turn(&self, heading: f64) -> f64 {
-        let (x, y) = self.direction;
-        wrap_angle(heading - libm::atan2(y, x))
+        let (along, across) = self.turned(heading);
+        libm::atan2(across, along)
     }
 }
 
@@ -102,6 +119,11 @@ impl Straight {
         (dx * cos + dy * sin, dy * cos - dx * sin)
     }
 
+    /// [m] along it where the point that it goes through is.
+    pub fn s(&self) -> f64 {
+        self.s
+    }
+
     pub fn foot(&self, point: Point) -> Foot {
         let (ahead, left) = self.local(point);
         Foot {
@@ -113,59 +135,79 @@ impl Straight {
 }
 
 impl Path {
-    /// The path of a vehicle from the poses of its rows; `None` without rows.
-    pub fn new(poses: impl Iterator<Item = Pose>) -> Option<Self> {
-        let mut vertices: Vec<Vertex> = Vec::new();
-        let mut end = None;
-        for (row, pose) in poses.enumerate() {
-            let point = pose.point();
-            let s = match vertices.last() {
-                None => Some(0.0),
-                Some(last) => {
-                    let step = distance(last.point, point);
-                    (step >= LEAST).then_some(last.s + step)
-                }
-            };
-            if let Some(s) = s {
-                vertices.push(Vertex { point, s, row });
+    /// The path of a vehicle from the poses and speeds [m/s] of its rows.
+    pub fn new(rows: impl Iterator<Item = (Pose, f64)>) -> Self {
+        let rows: Vec<(Pose, f64)> = rows.collect();
+        let points: Vec<Point> = rows.iter().map(|(pose, _)| pose.point()).collect();
+        let chain = Chain::new(&points);
+        let (mut end, mut moving, mut later) = (None, None, Bounds::NOTHING);
+        let mut marks: Vec<Marks> = Vec::with_capacity(rows.len());
+        for ((row, (pose, speed)), joins) in rows.iter().enumerate().zip(chain.joins()).rev() {
+            if speed.abs() >= STANDING_SPEED {
+                moving = Some(pose.heading);
+                end = end.or_else(|| Some((row, Straight::through(*pose, 0.0).direction)));
             }
-            end = Some(pose.heading);
+            later = later.with(pose.point());
+            marks.push(Marks {
+                heading: moving.unwrap_or(pose.heading),
+                later,
+                joins,
+            });
         }
-        let (sin, cos) = libm::sincos(end?);
-        Some(Self {
-            end: (vertices.last()?.point, (cos, sin)),
-            vertices,
-        })
+        marks.reverse();
+        Self {
+            chain,
+            rows: marks,
+            end,
+        }
     }
 
-    /// [m] how long it is, without what goes straight on.
+    /// [m] how long it is from the first row on, without what goes straight on.
     pub fn length(&self) -> f64 {
-        self.vertices.last().map_or(0.0, |last| last.s)
+        if self.rows.is_empty() {
+            0.0
+        } else {
+            -self.chain.at(0).s
+        }
     }
 
-    /// The path from one of its rows on, where the vehicle was at `pose`; `None` where nothing of it is left ahead.
-    pub fn from(&self, row: usize, pose: Pose) -> Option<Ahead<'_>> {
-        let later = self.vertices.partition_point(|vertex| vertex.row <= row);
-        let far = |vertex: &Vertex| distance(vertex.point, pose.point()) >= LEAST;
-        let next = later + self.vertices.get(later..)?.iter().position(far)?;
-        let vertex = self.vertices[next];
-        let start = Straight::through(pose, vertex.s - distance(vertex.point, pose.point()));
+    /// The path from one of its rows on; `None` where nothing of it is left ahead.
+    pub fn from(&self, row: usize) -> Option<Ahead<'_>> {
+        let (last, direction) = self.end?;
+        if row > last || self.chain.is_root(row) {
+            return None;
+        }
+        let start = self.straight(row);
         Some(Ahead {
             path: self,
-            clear: self.clear(&start, next),
+            clear: self.clear(&start, row, direction),
             start,
-            next,
+            row,
+            end: direction,
         })
+    }
+
+    /// Straight along the first heading from a row on that counts.
+    pub fn straight(&self, row: usize) -> Straight {
+        let (link, heading) = (self.chain.at(row), self.rows[row].heading);
+        let pose = Pose::new(link.point.x, link.point.y, heading);
+        Straight::through(pose, link.s)
     }
 
     /// [m] ahead of where it starts all of it is at least so far, where it does not lead back at its end.
-    fn clear(&self, start: &Straight, next: usize) -> Option<f64> {
-        let ((x, y), (ahead_x, ahead_y)) = (self.end.1, start.direction);
-        let later = self.vertices[next..].iter();
-        let least = later.fold(0.0, |least: f64, vertex| {
-            least.min(start.local(vertex.point).0)
-        });
+    fn clear(&self, start: &Straight, row: usize, (x, y): (f64, f64)) -> Option<f64> {
+        let (ahead_x, ahead_y) = start.direction;
+        let corners = self.rows[row].later.corners();
+        let least = corners
+            .iter()
+            .fold(0.0, |least: f64, corner| least.min(start.local(*corner).0));
         (x * ahead_x + y * ahead_y >= 0.0).then_some(least)
+    }
+
+    /// The leg behind a position that is not the last one.
+    fn leg(&self, at: usize, point: Point) -> Nearest {
+        let from = self.chain.at(at);
+        leg(from.point, self.chain.at(from.next).point, from.s, point)
     }
 }
 
@@ -175,8 +217,10 @@ pub(crate) struct Ahead<'a> {
     path: &'a Path,
     /// What comes straight to where the ego is.
     start: Straight,
-    /// The first vertex ahead.
-    next: usize,
+    /// The row of t_0.
+    row: usize,
+    /// The direction in which it goes on behind the last position.
+    end: (f64, f64),
     /// [m] no point of the path is less far ahead of the ego, as its heading at t_0 has it; none where its end leads back.
     clear: Option<f64>,
 }
@@ -194,11 +238,6 @@ impl Ahead<'_> {
         self.start.s
     }
 
-    /// [m] from here on it is the path of every earlier t_0 too.
-    fn shared_from(&self) -> f64 {
-        self.path.vertices[self.next].s
-    }
-
     /// The foot of a point. A foot that is expected somewhere near `hint` makes the search short.
     pub fn foot(&self, point: Point, hint: Option<f64>) -> Foot {
         let back = self.behind(point);
@@ -207,16 +246,8 @@ impl Ahead<'_> {
         {
             return back.foot;
         }
-        let first = leg(
-            self.start.point,
-            self.path.vertices[self.next].point,
-            self.start.s,
-            point,
-        );
-        match back {
-            Some(back) if back.distance <= first.distance => self.nearer(point, back, hint),
-            _ => self.nearer(point, first, hint),
-        }
+        let first = back.unwrap_or_else(|| self.path.leg(self.row, point));
+        self.nearer(point, first, hint)
     }
 
     /// The foot of a point that lies behind the ego at t_0 on the line that comes to it.
@@ -228,63 +259,64 @@ impl Ahead<'_> {
         })
     }
 
-    /// Whether the foot of a point on the path from an earlier t_0 on is its foot on this one, too.
+    /// Whether the foot of a point on the path from the first row on is its foot on this one, too: it lies behind where
+    /// the two join, and nothing before that is as near.
     pub fn shares(&self, foot: &Foot, point: Point) -> bool {
-        foot.s > self.shared_from()
-            && self
-                .behind(point)
-                .is_none_or(|back| back.distance > foot.d.abs())
+        let Path { chain, rows, .. } = self.path;
+        let Some(join) = rows[self.row].joins else {
+            return false;
+        };
+        let (joined, most) = (chain.at(join), foot.d.abs() + ON_PATH);
+        if foot.s <= joined.s || self.behind(point).is_some_and(|back| back.distance <= most) {
+            return false;
+        }
+        let mut at = self.row;
+        while at != join {
+            let link = chain.at(at);
+            if distance(link.point, point) - (joined.s - link.s) > most + ROUNDING {
+                return true;
+            }
+            if self.path.leg(at, point).distance <= most {
+                return false;
+            }
+            at = link.next;
+        }
+        true
     }
 
-    /// The nearest point of all legs behind the first one, or else `first`.
+    /// The nearest point of all legs, or else `first`.
     fn nearer(&self, point: Point, first: Nearest, hint: Option<f64>) -> Foot {
-        let vertices = &self.path.vertices;
-        let last = vertices.len() - 1;
+        let chain = &self.path.chain;
         // What is known before the search bounds it, but earlier legs win where they are as near.
-        let guess = hint.map(|s| self.leg_at(s, point).distance);
+        let guess = hint.map(|s| {
+            self.leg_or_beyond(chain.last_until(self.row, s), point)
+                .distance
+        });
         let bound = guess.map_or(first.distance, |guess| guess.min(first.distance));
         let (mut best, mut bound) = (first, bound);
-        let mut at = self.next;
-        while at < last {
-            let spare = distance(vertices[at].point, point) - bound - ROUNDING;
-            let reached = vertices[at].s + spare;
-            if spare > 0.0 && vertices[at + 1].s <= reached {
-                // Legs are at least so long that the vertex looked for is among these.
-                let most = (at + (spare / LEAST) as usize + 2).min(vertices.len());
-                at += vertices[at..most].partition_point(|vertex| vertex.s <= reached) - 1;
+        let mut at = self.row;
+        while !chain.is_root(at) {
+            let link = chain.at(at);
+            let spare = distance(link.point, point) - bound - ROUNDING;
+            let reached = link.s + spare;
+            if spare > 0.0 && chain.at(link.next).s <= reached {
+                at = chain.last_until(at, reached);
                 continue;
             }
-            take(&mut best, &mut bound, self.leg(at, point));
-            at += 1;
+            take(&mut best, &mut bound, self.path.leg(at, point));
+            at = link.next;
         }
-        take(&mut best, &mut bound, self.beyond(point));
+        take(&mut best, &mut bound, self.leg_or_beyond(at, point));
         best.foot
     }
 
-    /// The leg behind a vertex that is not the last one.
-    fn leg(&self, at: usize, point: Point) -> Nearest {
-        let vertices = &self.path.vertices;
-        leg(
-            vertices[at].point,
-            vertices[at + 1].point,
-            vertices[at].s,
-            point,
-        )
-    }
-
-    /// What goes straight on behind the last vertex.
-    fn beyond(&self, point: Point) -> Nearest {
-        let ((end, direction), s) = (self.path.end, self.path.length());
-        seen(end, direction, f64::INFINITY, s, point)
-    }
-
-    fn leg_at(&self, s: f64, point: Point) -> Nearest {
-        let behind = self.path.vertices.partition_point(|vertex| vertex.s <= s);
-        let at = behind.max(self.next + 1) - 1;
-        if at + 1 < self.path.vertices.len() {
-            self.leg(at, point)
+    /// The leg behind a position, or what goes straight on behind the last one.
+    fn leg_or_beyond(&self, at: usize, point: Point) -> Nearest {
+        if self.path.chain.is_root(at) {
+            let link = self.path.chain.at(at);
+            seen(link.point, self.end, f64::INFINITY, link.s, point)
         } else {
-            self.beyond(point)
+            self.path.leg(at, point)
         }
     }
 }

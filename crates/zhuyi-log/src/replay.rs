@@ -10,7 +10,7 @@
 //! |---|---|---|
 //! | of a road | one is given | its offset at t_0, held |
 //! | of the ego's own recorded path from t_0 on | there is none | d = 0 |
-//! | straight along the ego's heading at t_0 | there is none, and the ego does not move any more | d = 0 |
+//! | straight along the first heading from t_0 on with which it moves, or else that at t_0 | there is none, and the ego does not move any more, or hardly | d = 0 |
 //!
 //! A future is all rows of an actor from t_0 on with each of s, d and v linear between them, also where the actor is
 //! missing in between; behind the last one it keeps its speed and offset (reading R10). Before its first row and where
@@ -19,9 +19,9 @@
 //! Speeds and accelerations are those of the file, not differences of positions. An ego that reverses counts as standing:
 //! the model knows no reversing (reading R2). Boxes are those of the file, of the ego too.
 //!
-//! Frames of different t_0 are one and the same curve where both exist, so each row is projected once, and a future of
-//! which all feet lie ahead of t_0 is made once for the whole log. Only actors that are behind the ego at t_0 or later
-//! are projected anew, on the path that begins at t_0.
+//! Frames of different t_0 are one and the same curve from where they join, so each row is projected once on the path from
+//! the first row on, and a future of which all feet lie behind the join is made once for the whole log. Only actors that are
+//! behind the ego at t_0 or later, or before the join, are projected anew, on the path that begins at t_0.
 
 use std::borrow::Cow;
 
@@ -116,15 +116,9 @@ impl<'a> Replay<'a> {
     /// The log as `ego` sees it, on a road if one is given. Futures reach as far as `horizon` seconds need.
     pub fn new(log: &'a Log, ego: ActorId, road: Option<&'a Road>, horizon: f64) -> Self {
         let rows = &log.vehicle(ego).rows;
-        let own = || Path::new(rows.iter().map(|row| row.pose));
-        let lane = match road {
-            Some(road) => Lane::Road(road),
-            None => match own() {
-                Some(path) => Lane::Own(path),
-                None => unreachable!("a vehicle has a row"),
-            },
-        };
-        let frame = lane.frame(0, rows[0].pose);
+        let own = || Path::new(rows.iter().map(|row| (row.pose, row.speed)));
+        let lane = road.map_or_else(|| Lane::Own(own()), Lane::Road);
+        let frame = lane.frame(0);
         let track = |(place, vehicle): (usize, &Vehicle)| {
             let others = place != ego.index() && !matches!(frame, Frame::Straight(_));
             others.then(|| Track::new(log, vehicle, &frame))
@@ -163,14 +157,14 @@ impl<'a> Replay<'a> {
 
     fn moment(&self, ego_row: usize) -> Moment<'_> {
         let row = self.log.vehicle(self.ego).rows[ego_row];
-        let frame = self.lane.frame(ego_row, row.pose);
+        let frame = self.lane.frame(ego_row);
         let (s, d) = match &frame {
             Frame::Road(road) => {
                 let Frenet { s, d } = road.road_from_world(row.pose.point());
                 (s, d)
             }
             Frame::Path(ahead) => (ahead.s(), 0.0),
-            Frame::Straight(_) => (0.0, 0.0),
+            Frame::Straight(straight) => (straight.s(), 0.0),
         };
         let others = self.log.vehicles.iter().enumerate();
         let actors = others.filter(|(place, _)| *place != self.ego.index());
@@ -237,13 +231,13 @@ impl<'a> Replay<'a> {
 }
 
 impl Lane<'_> {
-    fn frame(&self, row: usize, pose: Pose) -> Frame<'_> {
+    /// The frame at one of the ego's rows.
+    fn frame(&self, row: usize) -> Frame<'_> {
         match self {
             Self::Road(road) => Frame::Road(road),
-            Self::Own(path) => path.from(row, pose).map_or_else(
-                || Frame::Straight(Straight::through(pose, 0.0)),
-                Frame::Path,
-            ),
+            Self::Own(path) => path
+                .from(row)
+                .map_or_else(|| Frame::Straight(path.straight(row)), Frame::Path),
         }
     }
 }

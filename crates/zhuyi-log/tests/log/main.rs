@@ -4,8 +4,10 @@
 //! |---|---|
 //! | `bad_rows` | every rule for traces: line, column, reason |
 //! | `coverage` | which cameras an actor counts for |
+//! | `cuts` | rows before t_0 change no answer |
 //! | `laws` | what changes no answer: the place, the direction and the handedness of the world, the cutting into steps |
 //! | `plain` | the same questions asked one by one, in the plainest way |
+//! | `standing` | an ego that stands: its state, and the heading that bends nothing |
 //! | `recordings` | real traffic, every vehicle as the ego, and the figures of the crate's page |
 
 #![allow(clippy::disallowed_methods)] // Of the standard library: no result depends on these.
@@ -13,9 +15,11 @@
 
 mod bad_rows;
 mod coverage;
+mod cuts;
 mod laws;
 mod plain;
 mod recordings;
+mod standing;
 
 use std::fmt::Write;
 use zhuyi_core::FrameRates;
@@ -48,4 +52,10 @@ fn row(text: &mut String, time: f64, id: &str, numbers: [f64; 5]) {
         "{time:?},{id},{x:?},{y:?},{heading:?},{speed:?},{accel:?},4.6,1.9"
     )
     .unwrap();
+}
+
+/// Says that a file beside the repository is missing.
+#[expect(clippy::print_stdout, reason = "a skipped test says so")]
+fn skipped(file: &str) {
+    println!("skipped: ../shared/data/{file} is not there");
 }

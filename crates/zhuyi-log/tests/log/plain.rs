@@ -10,7 +10,7 @@ use zhuyi_log::{Log, Replay, Row, evaluate};
 /// Which frame to take.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Frame {
-    /// That of the crate: the path from t_0 on through positions at least 0.5 m apart.
+    /// That of the crate: the path from t_0 on through positions at least 0.5 m apart, with headings of a moving ego.
     Ahead,
     /// The whole recorded path, also where it lies behind the ego at t_0.
     Whole,
@@ -36,10 +36,10 @@ fn apart(a: Point, b: Point) -> f64 {
     ((a.x - b.x).powi(2) + (a.y - b.y).powi(2)).sqrt()
 }
 
-/// Rows that are at least this far from the row kept before them.
-fn kept(rows: &[Row], least: f64) -> Vec<usize> {
-    let mut kept: Vec<usize> = vec![0];
-    for place in 1..rows.len() {
+/// Rows from one on that are at least this far from the row kept before them.
+fn kept(rows: &[Row], from: usize, least: f64) -> Vec<usize> {
+    let mut kept: Vec<usize> = vec![from];
+    for place in from + 1..rows.len() {
         let last = rows[kept[kept.len() - 1]].pose.point();
         if apart(last, rows[place].pose.point()) >= least {
             kept.push(place);
@@ -55,15 +55,17 @@ fn line(rows: &[Row], now: usize, frame: Frame) -> Line {
     } else {
         0.5
     };
+    // Headings count at 0.1 m/s or more; an ego that does not move any more has no path.
+    let moves = |row: &&Row| row.speed.abs() >= 0.1;
+    let first = rows[now..].iter().find(moves).map(|row| row.pose.heading);
+    let last = rows[now..].iter().rfind(moves).map(|row| row.pose.heading);
     let far = |row: &usize| apart(rows[*row].pose.point(), here.point()) >= least;
-    let all = kept(rows, least);
-    let behind = all.iter().copied().filter(|row| *row < now).filter(far);
-    let ahead: Vec<usize> = all
-        .iter()
-        .copied()
-        .filter(|row| *row > now)
-        .skip_while(|row| !far(row))
-        .collect();
+    let behind = kept(rows, 0, least).into_iter();
+    let behind = behind.filter(|row| *row < now).filter(far);
+    let mut ahead = kept(rows, now, least).split_off(1);
+    if first.is_none() {
+        ahead.clear();
+    }
     let mut points: Vec<Point> = Vec::new();
     if frame == Frame::Whole {
         points.extend(behind.map(|row| rows[row].pose.point()));
@@ -73,10 +75,10 @@ fn line(rows: &[Row], now: usize, frame: Frame) -> Line {
     if frame != Frame::Heading {
         points.extend(ahead.iter().map(|row| rows[*row].pose.point()));
     }
-    let mut last = if points.len() == ego + 1 {
-        here.heading
-    } else {
-        rows[rows.len() - 1].pose.heading
+    let first = first.unwrap_or(here.heading);
+    let mut last = match last {
+        Some(last) if points.len() > ego + 1 => last,
+        _ => first,
     };
     if let (Frame::LastLeg | Frame::EveryPosition, [.., a, b]) = (frame, points.as_slice()) {
         last = libm::atan2(b.y - a.y, b.x - a.x);
@@ -89,11 +91,7 @@ fn line(rows: &[Row], now: usize, frame: Frame) -> Line {
     Line {
         arc,
         headings: points.windows(2).map(heading).chain([last]).collect(),
-        first: if ego > 0 {
-            rows[0].pose.heading
-        } else {
-            here.heading
-        },
+        first: if ego > 0 { rows[0].pose.heading } else { first },
         points,
         ego,
     }
