@@ -22,6 +22,21 @@ use crate::ego_motion::Start;
 use crate::{Ego, Future};
 use zhuyi_core::Footprint;
 
+/// [m/s] below this a gap does not close and a vehicle goes nowhere: 3.6 m in an hour are less than any sensor tells from
+/// nothing, and what divides by it would be hours.
+pub const LEAST_SPEED: f64 = 1e-3;
+
+/// [s] time to collision of a gap [m] that closes at a held speed [m/s]; None below [`LEAST_SPEED`].
+///
+/// ```
+/// use zhuyi_estimator::criticality::time_to_collision;
+/// assert_eq!(time_to_collision(30.0, 15.0), Some(2.0));
+/// assert_eq!(time_to_collision(30.0, 8e-8), None);
+/// ```
+pub fn time_to_collision(gap: f64, closing: f64) -> Option<f64> {
+    (closing >= LEAST_SPEED).then(|| gap / closing)
+}
+
 /// An ego and the actor ahead of it in its corridor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Approach {
@@ -65,7 +80,7 @@ impl Approach {
         self.ego_speed - self.actor_speed
     }
 
-    /// [s] time to collision with both speeds held; None if not closing.
+    /// [s] time to collision with both speeds held; None if not closing by at least [`LEAST_SPEED`].
     ///
     /// 30 m at 25 against 10 m/s: 30/15 = 2 s.
     /// ```
@@ -77,10 +92,10 @@ impl Approach {
     /// assert_eq!(pair.ttc(), None);
     /// ```
     pub fn ttc(&self) -> Option<f64> {
-        self.while_closing(|closing| self.gap / closing)
+        time_to_collision(self.gap, self.closing_speed())
     }
 
-    /// [s] time headway, bumper to bumper; None if the ego stands.
+    /// [s] time headway, bumper to bumper; None if the ego is slower than [`LEAST_SPEED`].
     ///
     /// 30 m at 25 m/s: 1.2 s.
     /// ```
@@ -89,11 +104,11 @@ impl Approach {
     /// assert_eq!(pair.thw(), Some(1.2));
     /// ```
     pub fn thw(&self) -> Option<f64> {
-        (self.ego_speed > 0.0).then(|| self.gap / self.ego_speed)
+        (self.ego_speed >= LEAST_SPEED).then(|| self.gap / self.ego_speed)
     }
 
     /// [m/s2] deceleration rate to avoid a crash: what brings the ego to the actor's held speed within the gap. None if
-    /// not closing, or with no gap left.
+    /// not closing by at least [`LEAST_SPEED`], or with no gap left.
     ///
     /// 30 m at 25 against 10 m/s: 15^2 / 60 = 3.75 m/s2.
     /// ```
@@ -102,12 +117,8 @@ impl Approach {
     /// assert_eq!(pair.drac(), Some(3.75));
     /// ```
     pub fn drac(&self) -> Option<f64> {
-        self.while_closing(|closing| closing * closing / (2.0 * self.gap))
-            .filter(|decel| decel.is_finite())
-    }
-
-    fn while_closing(&self, value: impl Fn(f64) -> f64) -> Option<f64> {
         let closing = self.closing_speed();
-        (closing > 0.0).then(|| value(closing))
+        let decel = closing * closing / (2.0 * self.gap);
+        (closing >= LEAST_SPEED && decel.is_finite()).then_some(decel)
     }
 }

@@ -17,6 +17,7 @@
 //! Sources: Kay & Kajiya (1986) for slabs; Ericson, "Real-Time Collision Detection" (2005), 4.4 and 5.5, for separating
 //! axes of moving boxes. Left out: accelerations, turning, the curvature of the road.
 
+use super::LEAST_SPEED;
 use crate::ego_motion::Start;
 use crate::{Ego, Future};
 use zhuyi_core::{Footprint, Pose};
@@ -55,7 +56,8 @@ impl MovingBox {
     }
 }
 
-/// [s] the first contact of two boxes, 0 if they overlap now; None if they never do.
+/// [s] the first contact of two boxes, 0 if they overlap now; None if they never do, or where their shadows close by less
+/// than [`LEAST_SPEED`].
 ///
 /// A car of 4 m x 2 m at 10 m/s, and a second one that crosses from the right at 5 m/s, 20 m ahead and 14 m to the
 /// side. Along: 20 - 3 = 17 m to its side take 1.7 s, 20 + 3 = 23 m take 2.3 s. Across: 14 - 3 = 11 m take 2.2 s. So
@@ -78,7 +80,7 @@ pub fn first_contact(one: &MovingBox, other: &MovingBox) -> Option<f64> {
         let (sin, cos) = libm::sincos(heading);
         for axis in [(cos, sin), (-sin, cos)] {
             let reach = one.reach(axis) + other.reach(axis);
-            let shadow = slab(dx * axis.0 + dy * axis.1, vx * axis.0 + vy * axis.1, reach);
+            let shadow = shadow(dx * axis.0 + dy * axis.1, vx * axis.0 + vy * axis.1, reach);
             overlap = both(overlap, shadow);
         }
     }
@@ -91,9 +93,15 @@ pub fn on_the_road(ego: &Ego, actor: Footprint, future: &Future<'_>) -> Option<f
     let speed = Start::new(ego.speed, ego.accel).speed;
     let length = f64::midpoint(ego.footprint.length, actor.length);
     let width = f64::midpoint(ego.footprint.width, actor.width);
-    let along = slab(present.s - ego.s, present.speed - speed, length);
-    let across = slab(present.d - ego.d, present.d_rate, width);
+    let along = shadow(present.s - ego.s, present.speed - speed, length);
+    let across = shadow(present.d - ego.d, present.d_rate, width);
     first_from_now(both(along, across)?)
+}
+
+/// As [`slab`], where shadows that move by less than [`LEAST_SPEED`] against each other do not move.
+fn shadow(distance: f64, rate: f64, reach: f64) -> Option<Interval> {
+    let rate = if rate.abs() < LEAST_SPEED { 0.0 } else { rate };
+    slab(distance, rate, reach)
 }
 
 /// From when until when.

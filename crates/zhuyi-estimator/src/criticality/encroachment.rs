@@ -19,6 +19,7 @@
 //! arrive from `now` on, and the actor within the horizon. It says nothing of fault: a follower has one too. The
 //! lateral margin of the corridor plays no part: what never overlaps shares nothing.
 
+use super::LEAST_SPEED;
 use super::boxes::slab;
 use crate::ego_motion::{EgoMotion, Start};
 use crate::quadratic::Quadratic;
@@ -186,7 +187,7 @@ impl Pair {
         Outcome::Miss
     }
 
-    /// [s] when the ego has gone so far; None if never.
+    /// [s] when the ego has gone so far; None if never, or by less than [`LEAST_SPEED`] on average.
     fn arrival(&self, distance: f64) -> Option<f64> {
         let Start { speed, accel } = self.ego;
         if distance == 0.0 {
@@ -194,7 +195,7 @@ impl Pair {
         }
         let square = speed * speed + 2.0 * accel * distance;
         let time = 2.0 * distance / (speed + square.sqrt());
-        (square >= 0.0 && time.is_finite()).then_some(time)
+        (square >= 0.0 && distance >= LEAST_SPEED * time).then_some(time)
     }
 
     /// When the actor passes a point as fast as the ego does.

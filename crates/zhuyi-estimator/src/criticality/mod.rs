@@ -17,7 +17,8 @@
 //! What each looks at: **ttc, thw and drac** at places and speeds at `now`; **ttc_2d** at the lateral motion too;
 //! **ttb, btn and impact_speed** at accelerations too, each held until its vehicle stands; **pet** alone at the future.
 //! All but ttc_2d and pet speak of an actor ahead in the ego's corridor (reading R7) and are None for every other.
-//! None means undefined; what is merely harmless has its number where the metric has one (btn and impact_speed 0).
+//! Below [`LEAST_SPEED`] nothing closes and nobody drives, so no metric is hours long because two speeds differ in their
+//! last digits. None means undefined; what is merely harmless has its number where the metric has one (btn and impact_speed 0).
 //! For drawing or averaging, a None of ttc and ttb stands for "never", of thw for a standing ego; none is a large
 //! number here.
 //!
@@ -43,7 +44,7 @@ pub mod encroachment;
 
 mod contact;
 
-pub use approach::Approach;
+pub use approach::{Approach, LEAST_SPEED, time_to_collision};
 pub use boxes::MovingBox;
 pub use braking::Response;
 
@@ -75,7 +76,7 @@ impl Default for Limits {
 /// The metrics of one actor at one instant; None where a metric is undefined.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Criticality {
-    /// [s] time to collision, both speeds held; smaller is worse. None if not closing. Hayward (1972).
+    /// [s] time to collision, both speeds held; smaller is worse. None if not closing by 1 mm/s. Hayward (1972).
     pub ttc: Option<f64>,
     /// [s] time to the first contact of the two boxes, both velocities held; smaller is worse, 0 while they overlap.
     /// None if they never touch.

@@ -18,6 +18,7 @@
 //! Source: TTC: Hayward, "Near-miss determination through use of a scale of danger" (1972). Intrusion: UN R157,
 //! 5.2.5.2 (30 cm over the marking). Left out: accelerations, and the widths of lanes that are not 3.5 m.
 
+use crate::criticality::time_to_collision;
 use crate::{ActorStart, Ego};
 use zhuyi_core::Footprint;
 
@@ -72,7 +73,7 @@ impl Approach {
 
     /// [s] TTC; none when the gap does not close, or there is none because they are side by side.
     pub fn time_to_collision(&self) -> Option<f64> {
-        (self.gap >= 0.0 && self.closing_speed > 0.0).then(|| self.gap / self.closing_speed)
+        time_to_collision(self.gap, self.closing_speed).filter(|_| self.gap >= 0.0)
     }
 
     /// [s] until the edge gap is no larger than `edge_gap`, zero if it is already; none if it never is.

@@ -45,6 +45,43 @@ fn hand_a_lead_that_draws_away() {
     assert_eq!(found, expected);
 }
 
+/// Two cars at equal speed but for the last digits of the numbers, in speed or acceleration, and an ego that creeps as
+/// little: nothing closes, though the quotients are finite.
+#[test]
+fn hand_equal_speeds_do_not_close() {
+    for closing in [0.0, 1e-12, 8.2e-8, 9.9e-4] {
+        for noise in [0.0, 1e-9, -1e-9] {
+            let mut pair = steady(30.0, 20.0, 20.0 - closing);
+            pair.ego_accel = noise;
+            let found = Scene::in_lane(&pair).ask(&limits(8.0));
+            assert_eq!((found.ttc, found.ttc_2d, found.drac), (None, None, None));
+            assert_eq!((found.ttb, pair.ttc_with_accelerations()), (None, None));
+            assert!(found.btn.unwrap() < 1e-6 && found.impact_speed == Some(0.0));
+            assert_eq!(found.thw, Some(1.5));
+            assert!((found.pet.unwrap() - 1.5).abs() < 1e-2);
+        }
+        let found = Scene::in_lane(&steady(30.0, closing, 0.0)).ask(&limits(8.0));
+        assert_eq!((found.ttc, found.ttc_2d, found.drac), (None, None, None));
+        assert_eq!((found.thw, found.pet, found.ttb), (None, None, None));
+    }
+    // A little more, and there are numbers.
+    let found = Scene::in_lane(&steady(30.0, 20.0, 19.9985)).ask(&limits(8.0));
+    for time in [found.ttc, found.ttc_2d, found.ttb] {
+        assert!((time.unwrap() - 20_000.0).abs() < 1.0, "{time:?}");
+    }
+    // Neither does what drifts sideways by less: beside it for hours.
+    let beside = Scene::in_lane(&steady(-4.5, 20.0, 20.0)).sideways(-3.5, 5e-4);
+    assert_eq!(beside.ask(&limits(8.0)).ttc_2d, None);
+    // Equal speeds that will not stay so do close: 30 m at 4 m/s2 are 3.87 s, 15.5 m/s.
+    let mut braking = steady(30.0, 20.0, 20.0);
+    braking.actor_accel = -4.0;
+    let contact = braking.ttc_with_accelerations().unwrap();
+    assert!((contact - 15.0_f64.sqrt()).abs() < 1e-9);
+    // And so do the last micrometres before a car that brakes.
+    braking.gap = 1e-6;
+    assert!(braking.ttc_with_accelerations().unwrap() < 1e-3);
+}
+
 /// In the next lane, 3.5 m to the side: no place is shared. Coming over at 1 m/s the bodies overlap after 1.5 s, 30 -
 /// 1.5 x 5 = 22.5 m ahead, and touch when the 30 m are used up, after 6 s; but after 5.5 s it is through the lane.
 #[test]

@@ -216,7 +216,7 @@ mod tests {
             let walk = |place: usize| std::iter::successors(Some(place), |at| next(*at));
             let first: Vec<usize> = walk(0).collect();
             let joins = chain.joins();
-            for place in 0..points.len() {
+            for (place, joined) in joins.into_iter().enumerate() {
                 assert_eq!(chain.at(place).next, next(place).unwrap_or(place));
                 let path: Vec<usize> = walk(place).collect();
                 let length: f64 = path
@@ -228,7 +228,7 @@ mod tests {
                 let until = path.iter().rfind(|at| chain.at(**at).s <= s);
                 assert_eq!(chain.last_until(place, s), *until.unwrap_or(&place));
                 let join = path.iter().find(|at| first.binary_search(at).is_ok());
-                assert_eq!(joins[place], join.copied());
+                assert_eq!(joined, join.copied());
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use zhuyi_core::Body as Truth;
 use zhuyi_core::{ActorId, FrameRates};
+use zhuyi_estimator::criticality::time_to_collision;
 use zhuyi_estimator::{Demand, Ego, Estimate, Estimator};
 use zhuyi_lab::compare::models::Panel;
 use zhuyi_perception::View;
@@ -204,7 +205,7 @@ pub(crate) fn closeness(ego: &Ego, other: &Truth) -> (Option<f64>, Option<f64>) 
     let in_the_way =
         gap >= 0.0 && apart < f64::midpoint(other.footprint.width, ego.footprint.width);
     let closing = ego.speed - other.s_rate;
-    let ttc = (in_the_way && closing > 0.0).then(|| gap / closing);
+    let ttc = time_to_collision(gap, closing).filter(|_| in_the_way);
     (in_the_way.then_some(gap), ttc)
 }
 
