@@ -6,8 +6,11 @@
 //! ```text
 //!  dτ/dt = min(1, v / v_w)      heading against the lane = atan(d'(τ) / max(v, v_w))      v_w = 5 m/s
 //! ```
-//! Reactive actors know the truth at once: they stand for attentive drivers, whose errors are not under study. Left out: an actor
-//! that begins another lane change half-way first comes to rest sideways, at once, and its box turns back into the lane with it.
+//! A lane change that interrupts another goes on from its offset `d(τ)`, its `d'(τ)` and its `d''(τ)`, so that the heading does not
+//! jump; it may first go on the old way, or pass its lane and come back. Speed along the road is continuous, its acceleration is not:
+//! a manoeuvre along the road takes effect at once.
+//!
+//! Reactive actors know the truth at once: they stand for attentive drivers, whose errors are not under study.
 
 use zhuyi_core::idm::Leader;
 use zhuyi_core::{ActorId, Body, Footprint, Frenet, LaneChange, Lateral, Pose, Road, Scene};
@@ -94,13 +97,8 @@ impl Mover {
     fn begin(&mut self, action: Action, road: &Road) {
         match action {
             Action::ChangeLane { lane, duration } => {
-                let from = self.lateral(0.0).d;
-                self.lane_change = LaneChange {
-                    start: self.moving,
-                    duration,
-                    from,
-                    to: road.lane_center(lane),
-                };
+                let (now, to) = (self.lateral(0.0), road.lane_center(lane));
+                self.lane_change = LaneChange::going_on(self.moving, duration, now, to);
                 self.settled = self.lane_change.settled(self.moving);
             }
             Action::ReachSpeed { speed, accel } => self.drive = Drive::Reach { speed, accel },
