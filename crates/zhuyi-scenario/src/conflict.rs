@@ -75,6 +75,25 @@ pub enum Conflict {
         /// The lane.
         lane: u8,
     },
+    /// A lane change of an actor that stands.
+    #[error(
+        "the actor stands: below 5 m/s a lane change goes by the way, and this one never moves"
+    )]
+    StandingLaneChange,
+    /// A lane change that an actor is too slow for.
+    #[error(
+        "at {speed} m/s a lane change of {duration} s takes {takes:.2} s: below {limit} m/s it goes by the way"
+    )]
+    SlowLaneChange {
+        /// [m/s] the highest speed of the actor during it.
+        speed: f64,
+        /// [s] the time it is given.
+        duration: f64,
+        /// [s] the time it takes at that speed.
+        takes: f64,
+        /// [m/s] speed from which on it takes the time it is given.
+        limit: f64,
+    },
     /// A time that the manoeuvre before it rules out.
     #[error("manoeuvres begin in order, but {at} s comes before {before} s")]
     TimeOrder {

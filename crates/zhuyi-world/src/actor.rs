@@ -18,7 +18,7 @@ use zhuyi_core::{ActorId, Body, Footprint, Frenet, LaneChange, Lateral, Pose, Ro
 use crate::script::{Action, Actor, Behaviour, Manoeuvre, Station, Trigger};
 
 /// [m/s] v_w, the speed below which a lane change goes by the way: one of 3.5 m in 3 s then turns the car by 24 degrees at most.
-const BY_THE_WAY: f64 = 5.0;
+pub const BY_THE_WAY: f64 = 5.0;
 
 /// What an actor does along the road.
 #[derive(Clone, Copy, Debug, PartialEq)]

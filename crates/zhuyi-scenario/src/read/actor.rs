@@ -1,6 +1,7 @@
 //! An actor: its body, its start and its behaviour.
 
 use super::manoeuvre::manoeuvres;
+use super::pace::check_pace;
 use super::{ACCEL, GAP, OFFSET, SPEED, lane, read_all, speed_in, unique_name};
 use crate::body::Body;
 use crate::conflict::Conflict;
@@ -52,6 +53,9 @@ pub(super) fn actor(index: usize, scope: &Scope) -> Option<Actor> {
                 let read = manoeuvres(&node, index, scope, driver)?;
                 if is_obstacle && !read.is_empty() {
                     node.refuse(Conflict::ObstacleManoeuvres);
+                }
+                if let (false, Some(speed), Some(behaviour)) = (is_obstacle, speed, behaviour) {
+                    check_pace(speed, behaviour, &read, &node.list(0..=100)?);
                 }
                 Some(read)
             });

@@ -7,6 +7,7 @@ mod estimator;
 mod layout;
 mod manoeuvre;
 mod online;
+mod pace;
 mod plan;
 mod planner;
 mod rig;

@@ -3,6 +3,8 @@
 #[cfg(test)]
 mod files;
 #[cfg(test)]
+mod pace;
+#[cfg(test)]
 mod plans;
 #[cfg(test)]
 mod robustness;
