@@ -5,7 +5,7 @@ use zhuyi_core::boxes::{distance, swept_gap};
 use zhuyi_core::{ActorId, Body, LaneFrame, Road, SimTime};
 use zhuyi_scheduler::sharing::CAP;
 use zhuyi_world::crash::CrashError;
-use zhuyi_world::{Crash, Side};
+use zhuyi_world::{Crash, Progress, Side};
 
 use crate::trace::Trace;
 use crate::witness::Witness;
@@ -17,6 +17,8 @@ pub struct Run {
     pub outcome: Outcome,
     /// Frames of each camera, in the order of the rig.
     pub frames: Vec<Frames>,
+    /// How far the manoeuvres of each actor came: in the order of the actors, and of their scripts.
+    pub manoeuvres: Vec<Vec<Progress>>,
     /// What was true at every step.
     pub trace: Trace,
     /// What was known at every step, where it was asked for.

@@ -190,6 +190,7 @@ impl<'a> Simulation<'a> {
         Run {
             outcome,
             frames: frames.collect(),
+            manoeuvres: self.world.progress(contact.is_some()),
             trace: self.trace,
             witness: self.witness,
         }

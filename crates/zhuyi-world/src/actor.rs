@@ -13,12 +13,18 @@
 //! Reactive actors know the truth at once: they stand for attentive drivers, whose errors are not under study.
 
 use zhuyi_core::idm::Leader;
-use zhuyi_core::{ActorId, Body, Footprint, Frenet, LaneChange, Lateral, Pose, Road, Scene};
+use zhuyi_core::{
+    ActorId, Body, Footprint, Frenet, LaneChange, Lateral, Pose, Road, Scene, SimTime,
+};
 
+use crate::progress::{Log, Progress};
 use crate::script::{Action, Actor, Behaviour, Manoeuvre, Station, Trigger};
 
 /// [m/s] v_w, the speed below which a lane change goes by the way: one of 3.5 m in 3 s then turns the car by 24 degrees at most.
 pub const BY_THE_WAY: f64 = 5.0;
+
+/// [s], [m/s] a goal is reached that is no farther: what the rounding of steps leaves.
+const REACHED: f64 = 1e-9;
 
 /// What an actor does along the road.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,6 +51,7 @@ pub struct Mover {
     moving: f64,
     /// How many manoeuvres have begun.
     begun: usize,
+    log: Log,
 }
 
 impl Mover {
@@ -60,6 +67,7 @@ impl Mover {
             settled: lane_change.settled(0.0),
             moving: 0.0,
             begun: 0,
+            log: Log::new(actor.manoeuvres.len()),
         }
     }
 
@@ -73,12 +81,15 @@ impl Mover {
         time: f64,
         dt: f64,
     ) {
+        self.look(time);
         let me = &scene.actors[id.index()];
         while let Some(next) = actor
             .manoeuvres
             .get(self.begun)
             .filter(|m| due(m, me, scene, time))
         {
+            let now = SimTime::from_seconds(time);
+            self.log.begin(self.begun, next.then, now);
             self.begun += 1;
             self.begin(next.then, road);
         }
@@ -92,6 +103,26 @@ impl Mover {
         } else {
             wanted
         };
+    }
+
+    /// Ends the manoeuvres that have reached their goals at `time` [s], its present one.
+    pub fn look(&mut self, time: f64) {
+        let (change, moving) = (&self.lane_change, self.moving);
+        let (drive, speed) = (self.drive, self.speed);
+        self.log.look(
+            time,
+            || change.end() - moving <= REACHED,
+            || match drive {
+                Drive::Behave(_) => true,
+                Drive::Reach { speed: goal, .. } => (speed - goal).abs() <= REACHED,
+                Drive::Brake { .. } => speed <= REACHED,
+            },
+        );
+    }
+
+    /// How far each of its manoeuvres has come.
+    pub fn progress(&self) -> &[Progress] {
+        self.log.of()
     }
 
     fn begin(&mut self, action: Action, road: &Road) {

@@ -13,11 +13,13 @@
 pub mod actor;
 pub mod contact;
 pub mod crash;
+pub mod progress;
 pub mod script;
 pub mod vehicle;
 mod world;
 
 pub use contact::{Contact, Side};
 pub use crash::Crash;
+pub use progress::Progress;
 pub use vehicle::{Ego, Vehicle};
 pub use world::{Start, World};

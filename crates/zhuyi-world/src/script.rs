@@ -124,3 +124,15 @@ pub enum Action {
     /// Changes its behaviour along the road.
     Behave(Behaviour),
 }
+
+impl Action {
+    /// Its name, as scenario files spell it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::ChangeLane { .. } => "ChangeLane",
+            Self::ReachSpeed { .. } => "ReachSpeed",
+            Self::Brake { .. } => "Brake",
+            Self::Behave(_) => "Behave",
+        }
+    }
+}

@@ -5,6 +5,7 @@ use zhuyi_core::{ActorId, Body, Command, Footprint, Point, Pose, Road, Scene, Si
 use crate::actor::Mover;
 use crate::contact::{Contact, Motion, are_far_apart, first_contact};
 use crate::crash::{Crash, CrashBody, CrashError, crash};
+use crate::progress::Progress;
 use crate::script::{Actor, Place};
 use crate::vehicle::{Ego, Turn, Vehicle};
 
@@ -125,6 +126,18 @@ impl<'a> World<'a> {
             actors,
         };
         self.contact()
+    }
+
+    /// How far the manoeuvres of each actor have come, in their order: up to now, or, where the last step was cut short by a
+    /// contact, up to its start.
+    pub fn progress(mut self, cut_short: bool) -> Vec<Vec<Progress>> {
+        if !cut_short {
+            self.finish_step();
+            let now = self.now.seconds();
+            self.movers.iter_mut().for_each(|mover| mover.look(now));
+        }
+        let movers = self.movers.iter();
+        movers.map(|mover| mover.progress().to_vec()).collect()
     }
 
     /// Makes the end of the last step the start of the next one.

@@ -1,9 +1,9 @@
-//! Lane changes that interrupt others: the move across the road goes on without a jump.
+//! Manoeuvres that interrupt others: the move across the road goes on without a jump, and each is known to have begun and ended.
 
 use zhuyi_core::{Body, Command, Footprint, Frenet, Lane, Manoeuvre as Doing, Pose};
 use zhuyi_core::{Road, Segment, SimTime};
 use zhuyi_world::script::{Action, Actor, Behaviour, Manoeuvre, Place, Start as At, Trigger};
-use zhuyi_world::{Ego, Start, Vehicle, World};
+use zhuyi_world::{Ego, Progress, Start, Vehicle, World};
 
 const STEP: SimTime = SimTime::from_millis(10);
 /// [s] the same.
@@ -26,6 +26,16 @@ fn change(at: f64, lane: u8, duration: f64) -> Manoeuvre {
 
 /// The body of an actor of these manoeuvres at every step, on a straight road 500 m ahead of an ego that stands.
 fn bodies(lane: u8, speed: f64, manoeuvres: Vec<Manoeuvre>, seconds: f64) -> Vec<Body> {
+    drive(lane, speed, manoeuvres, seconds).0
+}
+
+/// The same, with how far each manoeuvre came.
+fn drive(
+    lane: u8,
+    speed: f64,
+    manoeuvres: Vec<Manoeuvre>,
+    seconds: f64,
+) -> (Vec<Body>, Vec<Progress>) {
     let (road, vehicle) = (
         road(),
         Vehicle {
@@ -80,7 +90,7 @@ fn bodies(lane: u8, speed: f64, manoeuvres: Vec<Manoeuvre>, seconds: f64) -> Vec
         assert!(world.step(stand, STEP).is_none());
         bodies.push(world.scene().actors[0]);
     }
-    bodies
+    (bodies, world.progress(false).remove(0))
 }
 
 /// A car turns back half-way: its speed of 1.64 m/s to the side and its heading of 0.061 rad once vanished within a step.
@@ -142,4 +152,75 @@ fn law_lateral_motion_is_continuous_over_interruptions() {
             assert!((after.pose.heading - before.pose.heading).abs() < 0.05);
         }
     }
+}
+
+fn at(time: f64, then: Action) -> Manoeuvre {
+    let when = Trigger::Time(time);
+    Manoeuvre { when, then }
+}
+
+/// A lane change ends in its lane, `ReachSpeed` at its speed, `Brake` at standstill, `Behave` at once; what another of its kind
+/// takes over ends there, and what is under way at the end has no end.
+#[test]
+fn hand_manoeuvres_begin_and_end_where_they_should() {
+    let millis = SimTime::from_millis;
+    let ended = |began, ended| Progress::Ended {
+        began: millis(began),
+        ended: millis(ended),
+    };
+    let replaced = |began, ended| Progress::Replaced {
+        began: millis(began),
+        ended: millis(ended),
+    };
+    let reach = |speed, accel| Action::ReachSpeed { speed, accel };
+    let never = Manoeuvre {
+        when: Trigger::GapToEgo(0.0),
+        then: Action::Brake { decel: 1.0 },
+    };
+    let (_, progress) = drive(
+        1,
+        20.0,
+        vec![
+            at(0.5, reach(24.0, 2.0)), // 2 s
+            change(1.0, 2, 3.0),
+            at(3.0, reach(14.0, 2.0)),             // would take 5 s
+            at(4.0, Action::Brake { decel: 8.0 }), // from 22 m/s: 2.75 s
+            change(4.5, 1, 2.0),
+            at(6.9, Action::Behave(Behaviour::Cruise)),
+            at(7.0, reach(1.0, 0.25)), // not there at 8 s
+            never,
+        ],
+        8.0,
+    );
+    // 22 - 8 x 0.5 = 18 m/s at 4.5 s, 5 m/s at 6.125 s; behind that the clock of lane changes slows down: 1.625 s of 2 s are
+    // done then, and (6.75 - 6.125) / 2 s more until it stands: it never arrives.
+    let expected = [
+        ended(500, 2500),
+        ended(1000, 4000),
+        replaced(3000, 4000),
+        ended(4000, 6750),
+        Progress::UnderWay {
+            began: millis(4500),
+        },
+        ended(6900, 6900),
+        Progress::UnderWay {
+            began: millis(7000),
+        },
+        Progress::Waiting,
+    ];
+    assert_eq!(progress, expected);
+    assert_eq!(progress[7].began(), None);
+    assert_eq!(
+        (progress[2].began(), progress[2].ended()),
+        (Some(millis(3000)), Some(millis(4000)))
+    );
+}
+
+/// What is reached at the last step of a run has ended.
+#[test]
+fn hand_a_manoeuvre_that_ends_with_the_run_has_ended() {
+    let (_, progress) = drive(1, 20.0, vec![change(1.0, 2, 3.0)], 4.0);
+    assert_eq!(progress[0].ended(), Some(SimTime::from_seconds(4.0)));
+    let (_, progress) = drive(1, 20.0, vec![change(1.0, 2, 3.0)], 3.99);
+    assert_eq!(progress[0].ended(), None);
 }
