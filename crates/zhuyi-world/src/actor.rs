@@ -222,7 +222,8 @@ fn due(manoeuvre: &Manoeuvre, me: &Body, scene: &Scene, time: f64) -> bool {
             } else {
                 me.s_rate - ego.s_rate
             };
-            closing > 0.0 && gap <= at * closing
+            // Side by side there is no gap to close, and so no time to collision.
+            closing > 0.0 && gap > 0.0 && gap <= at * closing
         }
     }
 }

@@ -86,7 +86,7 @@ pub struct Manoeuvre {
 pub enum Trigger {
     /// [s] at this time of the run.
     Time(f64),
-    /// [m] when the gap to the ego, bumper to bumper along the road, is at most this.
+    /// [m] when the gap to the ego, bumper to bumper along the road, is at most this; side by side it is negative, and fires.
     GapToEgo(f64),
     /// When the distance to another actor, centre to centre along the road, is at most this.
     DistanceTo {
@@ -95,7 +95,7 @@ pub enum Trigger {
         /// [m] the distance.
         distance: f64,
     },
-    /// [s] when gap to the ego over closing speed is at most this (never while opening).
+    /// [s] when gap to the ego over closing speed is at most this (never while opening, nor side by side, where there is no gap).
     TimeToCollision(f64),
 }
 

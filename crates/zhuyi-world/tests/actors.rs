@@ -248,6 +248,34 @@ fn hand_triggers_fire_at_their_thresholds() {
     }
 }
 
+/// Side by side in another lane there is no time to collision: a trigger of it once fired at 0 s. A gap at most a number is
+/// there all the same: it is negative.
+#[test]
+fn regress_side_by_side_there_is_no_time_to_collision() {
+    let brakes = |trigger| {
+        let script = vec![at(trigger, Action::Brake { decel: 3.0 })];
+        let actors = [actor(
+            1,
+            Place::Beside(-1.0),
+            20.5,
+            Behaviour::Cruise,
+            script,
+        )];
+        let mut brakes = false;
+        drive(
+            &road(0.0),
+            &actors,
+            20.0,
+            |_| 0.0,
+            5.0,
+            |scene| brakes |= scene.actors[0].accel < 0.0,
+        );
+        brakes
+    };
+    assert!(!brakes(Trigger::TimeToCollision(0.1)));
+    assert!(brakes(Trigger::GapToEgo(0.0)));
+}
+
 #[test]
 fn hand_distance_to_another_actor_is_centre_to_centre() {
     let script = vec![at(
