@@ -5,7 +5,9 @@ use std::path::PathBuf;
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use zhuyi_lab::committed::CommittedError;
-use zhuyi_scenario::{Invalid, Violation};
+use zhuyi_scenario::{Invalid, Scenario, System, Violation};
+use zhuyi_sim::Draws;
+use zhuyi_sim::starts::{Crowded, starts};
 
 use crate::argument::Misreading;
 use crate::error::Error;
@@ -33,6 +35,8 @@ pub enum Problem {
     },
     /// A result to build on that is missing or something else.
     Result(CommittedError),
+    /// Actors that start inside each other however their jitter is drawn.
+    Crowded(Crowded),
     /// A place that cannot be written to.
     Write {
         /// Which.
@@ -49,6 +53,7 @@ impl Problem {
             Self::Argument(_)
             | Self::File(_)
             | Self::Trace { .. }
+            | Self::Crowded(_)
             | Self::Result(CommittedError::Content { .. }) => 2,
             // Bytes that are no text are bad input, however they came.
             Self::Read { source, .. } if source.kind() == io::ErrorKind::InvalidData => 2,
@@ -66,6 +71,7 @@ impl Problem {
             }
             Self::Trace { path, violation } => trace(path, violation, &Renderer::plain()),
             Self::Result(error) => format!("error: {error}"),
+            Self::Crowded(error) => format!("error: {error}"),
             Self::Read { path, source } => {
                 format!("error: cannot read `{}`: {source}", path.display())
             }
@@ -82,6 +88,7 @@ impl Problem {
             (Self::File(one), Self::File(two)) => one == two,
             (Self::Read { path: one, .. }, Self::Read { path: two, .. })
             | (Self::Write { path: one, .. }, Self::Write { path: two, .. }) => one == two,
+            (Self::Crowded(one), Self::Crowded(two)) => one == two,
             _ => false,
         }
     }
@@ -139,6 +146,30 @@ impl Problems {
                     self.push(Problem::File(violation.clone()));
                 }
                 None
+            }
+        }
+    }
+
+    /// Notes, for each scenario, the first of the seeds with which its actors would start inside each other
+    /// however their jitter is drawn.
+    pub fn look_at_starts(
+        &mut self,
+        scenarios: &[Scenario],
+        system: &System,
+        root: u64,
+        seeds: impl Iterator<Item = u64> + Clone,
+    ) {
+        for scenario in scenarios {
+            let mut drawn = seeds.clone().map(|seed| {
+                let draws = Draws {
+                    root,
+                    scenario: &scenario.name,
+                    seed,
+                };
+                starts(scenario, system, draws)
+            });
+            if let Some(crowded) = drawn.find_map(Result::err) {
+                self.push(Problem::Crowded(crowded));
             }
         }
     }

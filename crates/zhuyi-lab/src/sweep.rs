@@ -10,9 +10,10 @@ use zhuyi_core::{ActorId, FrameRates, SimTime};
 use zhuyi_estimator::Estimator;
 use zhuyi_perception::Eye;
 use zhuyi_scenario::{Scenario, System};
+use zhuyi_sim::starts::{Crowded, starts};
 use zhuyi_sim::trace::{Row, Trace};
 use zhuyi_sim::{Draws, Extremes, Frames, Hindsight, Outcome, Peaks, Run, Simulation};
-use zhuyi_world::Side;
+use zhuyi_world::{Side, Start};
 
 pub use crate::estimators::estimator;
 use crate::parallel::one_by_one;
@@ -124,13 +125,27 @@ impl Experiment<'_> {
     }
 
     fn drive(&self, cell: &Cell) -> Run {
+        let (scenario, draws) = self.draws(cell);
+        Simulation::new(scenario, self.system, &cell.rates, draws).run()
+    }
+
+    fn draws(&self, cell: &Cell) -> (&Scenario, Draws<'_>) {
         let scenario = &self.scenarios[cell.scenario];
         let draws = Draws {
             root: self.root_seed,
             scenario: &scenario.name,
             seed: cell.seed,
         };
-        Simulation::new(scenario, self.system, &cell.rates, draws).run()
+        (scenario, draws)
+    }
+
+    /// Where the actors of a cell start.
+    ///
+    /// # Errors
+    /// When they would start inside each other however their jitter is drawn.
+    pub fn starts(&self, cell: &Cell) -> Result<Vec<Start>, Crowded> {
+        let (scenario, draws) = self.draws(cell);
+        starts(scenario, self.system, draws)
     }
 
     /// Runs one cell.

@@ -25,6 +25,7 @@ mod pipeline;
 pub mod recorded;
 pub mod scheduled;
 pub mod simulation;
+pub mod starts;
 pub mod surroundings;
 pub mod trace;
 pub mod trace_csv;

@@ -1,22 +1,19 @@
 //! The loop: one tick moves the truth by one step, with the ego acting on what its cameras have told it so far.
 
-use rand::RngExt;
-use zhuyi_core::{
-    Body, CameraId, Command, Forecast, FrameRates, Frenet, Manoeuvre, Road, SimTime, Track,
-};
+use zhuyi_core::{Body, CameraId, Command, Forecast, FrameRates, Manoeuvre, Road, SimTime, Track};
 use zhuyi_perception::{Eyes, Purpose, Tracker};
 use zhuyi_planner::Planner;
 use zhuyi_prediction::Predictor;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::safety::Measures;
 use zhuyi_scheduler::{Compute, Discipline};
-use zhuyi_world::script::{Actor, Behaviour};
-use zhuyi_world::{Contact, Ego, Start, World};
+use zhuyi_world::{Contact, World};
 
 use crate::draws::Draws;
 use crate::instant::Instant;
 use crate::outcome::{Collision, Frames, Outcome, Run};
 use crate::pipeline::Pipeline;
+use crate::starts;
 use crate::trace::Trace;
 use crate::witness::Witness;
 
@@ -41,29 +38,21 @@ pub struct Simulation<'a> {
 }
 
 impl<'a> Simulation<'a> {
-    /// A run at its start. The same arguments give the same run, to the last bit.
+    /// A run at its start. The same arguments give the same run, to the last bit. Where [`starts`](crate::starts::starts) finds no
+    /// start without an overlap the actors start where the script says, without jitter.
     pub fn new(
         scenario: &'a Scenario,
         system: &'a System,
         rates: &FrameRates,
         draws: Draws<'_>,
     ) -> Self {
-        let ego = Ego {
-            road: Frenet {
-                s: scenario.ego.s,
-                d: scenario.road.lane_center(scenario.ego.lane),
-            },
-            heading: 0.0,
-            speed: scenario.ego.speed,
-            accel: 0.0,
-            steering: 0.0,
-        };
-        let starts = starts(scenario, system, &ego, draws);
+        let starts = starts::starts(scenario, system, draws);
+        let starts = starts.unwrap_or_else(|_| starts::meant(scenario, system));
         let world = World::new(
             &scenario.road,
             &system.vehicle,
             &scenario.actors,
-            ego,
+            starts::ego(scenario),
             &starts,
         );
         let stream = |purpose: Purpose| draws.stream(&spelt(purpose, scenario, system));
@@ -294,26 +283,4 @@ fn spelt(purpose: Purpose, scenario: &Scenario, system: &System) -> String {
             )
         }
     }
-}
-
-/// Where the actors start in this run: the script's places, each with its own jitter.
-fn starts(scenario: &Scenario, system: &System, ego: &Ego, draws: Draws<'_>) -> Vec<Start> {
-    let jittered = |actor: &Actor| {
-        let mut stream = draws.stream(&format!("start of {}", actor.name));
-        let (along, faster) = (
-            stream.random_range(-1.0..=1.0),
-            stream.random_range(-1.0..=1.0),
-        );
-        let start = Start::of(actor, ego, &system.vehicle);
-        let moves = actor.behaviour != Behaviour::Obstacle && start.speed > 0.0;
-        Start {
-            s: start.s + system.jitter.position * along,
-            speed: if moves {
-                (start.speed + system.jitter.speed * faster).max(0.0)
-            } else {
-                start.speed
-            },
-        }
-    };
-    scenario.actors.iter().map(jittered).collect()
 }

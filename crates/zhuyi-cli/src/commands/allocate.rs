@@ -128,7 +128,12 @@ impl Arguments {
                 command,
             })
         };
-        let plan = problems.finish(plan())?;
+        let plan = plan();
+        if let Some(asked) = &plan {
+            let (root, seeds) = (asked.root_seed, 0..asked.seeds);
+            problems.look_at_starts(&asked.scenarios, &asked.system, root, seeds);
+        }
+        let plan = problems.finish(plan)?;
         if let Some(place) = &place {
             place.prepare()?;
         }

@@ -123,7 +123,12 @@ impl Arguments {
                 command,
             })
         };
-        let comparison = problems.finish(comparison())?;
+        let comparison = comparison();
+        if let Some(asked) = &comparison {
+            let (root, seeds) = (asked.root_seed, 0..asked.seeds);
+            problems.look_at_starts(&asked.scenarios, &asked.system, root, seeds);
+        }
+        let comparison = problems.finish(comparison)?;
         if let Some(place) = &place {
             place.prepare()?;
         }

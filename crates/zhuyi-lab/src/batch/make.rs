@@ -127,6 +127,9 @@ impl Batch<'_> {
             rates: uniform(&ready.system, run.rate),
             seed: run.seed,
         };
+        if let Err(crowded) = experiment.starts(&cell) {
+            return self.without_figures(columns, run, Made::Refused, &crowded.to_string());
+        }
         let drive = || experiment.record(&cell, std::slice::from_ref(&ready.estimator));
         match guarded(drive) {
             Ok(record) => columns.row(

@@ -58,6 +58,9 @@ impl Arguments {
         }
         let mut problems = Problems::default();
         let read = grid.read(&mut problems);
+        if let Some(read) = &read {
+            read.look_at_starts(read.seeds, &mut problems);
+        }
         let brute_force = self.brute_force(&grid.scenarios, &mut problems);
         let combinations = read
             .as_ref()

@@ -98,7 +98,11 @@ impl Arguments {
                 json: self.json,
             })
         };
-        problems.finish(search())
+        let search = search();
+        if let Some(Search { grid, trials, .. }) = &search {
+            grid.look_at_starts(trials.drives, &mut problems);
+        }
+        problems.finish(search)
     }
 }
 
