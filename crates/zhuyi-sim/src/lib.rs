@@ -18,6 +18,7 @@
 
 pub mod draws;
 mod instant;
+pub mod notes;
 pub mod offline;
 pub mod online;
 pub mod outcome;
@@ -34,6 +35,7 @@ pub mod waterfall;
 pub mod witness;
 
 pub use draws::Draws;
+pub use notes::{Note, notes};
 pub use offline::{Hindsight, Peak, Peaks};
 pub use online::{Asked, Online};
 pub use outcome::{Collision, Extremes, Frames, Outcome, Run};

@@ -43,6 +43,10 @@ pub struct Collision {
     pub actor: ActorId,
     /// With which of its sides.
     pub side: Side,
+    /// Whether it was struck from behind: by an actor that closed in on the rear half of its box.
+    pub from_behind: bool,
+    /// Whether the ego had confirmed the actor by the end of the step of the contact.
+    pub confirmed: bool,
     /// What it did to both.
     pub crash: Result<Crash, CrashError>,
 }

@@ -165,6 +165,8 @@ impl<'a> Simulation<'a> {
                 time: self.world.contact_time(&contact),
                 actor: contact.actor,
                 side: contact.side,
+                from_behind: self.world.is_from_behind(&contact),
+                confirmed: self.tracker.knowledge(contact.actor, self.time()).confirmed,
                 crash: self.world.crash(&contact),
             }),
         };

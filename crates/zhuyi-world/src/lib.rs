@@ -15,6 +15,7 @@ pub mod contact;
 pub mod crash;
 pub mod progress;
 pub mod script;
+mod struck;
 pub mod vehicle;
 mod world;
 

@@ -7,6 +7,7 @@ use crate::contact::{Contact, Motion, are_far_apart, first_contact};
 use crate::crash::{Crash, CrashBody, CrashError, crash};
 use crate::progress::Progress;
 use crate::script::{Actor, Place};
+use crate::struck::from_behind;
 use crate::vehicle::{Ego, Turn, Vehicle};
 
 /// Where one actor starts in one run, jitter included.
@@ -218,6 +219,23 @@ impl<'a> World<'a> {
     /// The instant of a contact that the last step returned.
     pub fn contact_time(&self, contact: &Contact) -> SimTime {
         self.before + SimTime::from_seconds(contact.fraction * (self.now - self.before).seconds())
+    }
+
+    /// Whether a contact that the last step returned is one from behind: the actor closes in on the rear half of the ego.
+    pub fn is_from_behind(&self, contact: &Contact) -> bool {
+        let time = self.contact_time(contact);
+        let ego = self.ego_at(time).body(self.vehicle, self.turn, self.road);
+        let other = self.actor_at(contact.actor.index(), time);
+        let course = Pose {
+            heading: ego.pose.heading + self.turn.slip,
+            ..ego.pose
+        };
+        from_behind(
+            (ego.footprint, ego.pose),
+            velocity(course, ego.speed),
+            (other.footprint, other.pose),
+            velocity(other.pose, other.speed),
+        )
     }
 
     /// What becomes of a contact that the last step returned: the bodies as they touch go to the rigid-body solver.
