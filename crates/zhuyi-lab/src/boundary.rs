@@ -81,7 +81,7 @@ pub struct Point {
 }
 
 /// A cell that was driven.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Cell {
     /// What its drives came to.
     pub share: Share,

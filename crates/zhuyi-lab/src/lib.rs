@@ -41,6 +41,7 @@ pub mod estimators;
 pub mod evidence;
 pub mod foresight;
 pub mod manifest;
+pub mod manoeuvres;
 pub mod maps;
 pub mod mrf;
 pub mod paper;

@@ -8,8 +8,9 @@ use std::fmt::Write as _;
 use zhuyi_scenario::Source;
 
 use crate::choice::{Bench, Choice, Chosen};
+use crate::manoeuvres::{self, never};
 use crate::progress::Progress;
-use crate::shares::{Confident, Share, Trials};
+use crate::shares::{Confident, Share, Trials, began};
 use crate::sweep::Experiment;
 use crate::text::{cells, csv_row, markdown_table};
 
@@ -35,6 +36,8 @@ pub struct Mapping {
 pub struct Map {
     /// The scenario's name.
     pub scenario: String,
+    /// The manoeuvres that began in no drive of it, as [`manoeuvres::names`].
+    pub never: Vec<String>,
     /// The choice.
     pub path: String,
     /// In the order of its values.
@@ -88,10 +91,14 @@ pub fn maps(mapping: &Mapping, chosen: &[Vec<Chosen>], progress: &dyn Progress) 
                 shares: shares.into_iter().next().unwrap_or_default(),
             }
         };
+        let rows: Vec<Row> = choice.values.iter().zip(chosen).map(row).collect();
+        let began = began(rows.iter().flat_map(|row| &row.shares));
+        let never = chosen.first().map(|(scenario, _)| never(scenario, &began));
         Map {
             scenario: source.stem().to_string(),
+            never: never.unwrap_or_default(),
             path: choice.path.clone(),
-            rows: choice.values.iter().zip(chosen).map(row).collect(),
+            rows,
         }
     };
     places.zip(chosen).map(map).collect()
@@ -154,6 +161,12 @@ pub fn page(mapping: &Mapping, maps: &[Map], figures: &[String]) -> String {
         header.extend(choice.values.iter().cloned());
         let rows: Vec<Vec<String>> = maps.iter().map(|map| line(mapping, map)).collect();
         text += &markdown_table(&header, &rows);
+        for map in maps {
+            let never = map.never.iter().map(String::as_str);
+            if let Some(note) = manoeuvres::note(&map.scenario, never) {
+                let _ = writeln!(text, "\n{note}");
+            }
+        }
     }
     text
 }

@@ -9,6 +9,7 @@ use zhuyi_world::Side;
 
 use crate::columns::{Column, Table};
 use crate::estimators::TABLE;
+use crate::manoeuvres;
 use crate::rates::spelt;
 use crate::sweep::{Cell, Experiment, Record};
 use crate::text::{csv_row, decimals};
@@ -141,7 +142,7 @@ impl Columns {
         fields.extend(values.iter().cloned());
         fields.push(outcome.to_string());
         fields.extend(collision_fields(experiment, record));
-        fields.extend(figures(record));
+        fields.extend(figures(experiment, record));
         fields.extend(demand_fields(record));
         fields.extend(self.of_sweep.then(String::new));
         fields.push(typed.replay(experiment, cell));
@@ -164,7 +165,7 @@ impl Columns {
 }
 
 /// How close a run was and what its cameras did.
-fn figures(record: &Record) -> Vec<String> {
+fn figures(experiment: &Experiment<'_>, record: &Record) -> Vec<String> {
     let extremes = &record.extremes;
     let duration = record.end.seconds();
     let mut fields = vec![
@@ -172,6 +173,10 @@ fn figures(record: &Record) -> Vec<String> {
         decimals(extremes.gap, 4),
         decimals(extremes.time_to_collision, 4),
         decimals(Some(extremes.decel), 4),
+        manoeuvres::spelt(
+            &experiment.scenarios[record.cell.scenario],
+            &record.manoeuvres,
+        ),
     ];
     let processed = || record.frames.iter().map(|frames| frames.processed);
     fields.extend(processed().map(|processed| processed.to_string()));
@@ -180,7 +185,7 @@ fn figures(record: &Record) -> Vec<String> {
     fields
 }
 
-fn collision_fields(experiment: &Experiment<'_>, record: &Record) -> [String; 6] {
+fn collision_fields(experiment: &Experiment<'_>, record: &Record) -> [String; 7] {
     let Some(collision) = &record.collision else {
         return Default::default();
     };
@@ -196,6 +201,7 @@ fn collision_fields(experiment: &Experiment<'_>, record: &Record) -> [String; 6]
         decimals(Some(collision.time.seconds()), 4),
         actors[collision.actor.index()].name.clone(),
         side.to_string(),
+        collision.from_behind.to_string(),
         decimals(impact.map(|impact| impact.speed), 3),
         decimals(impact.map(|impact| impact.ego_delta_v), 3),
         decimals(impact.map(|impact| impact.other_delta_v), 3),

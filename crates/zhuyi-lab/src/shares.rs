@@ -11,13 +11,14 @@ use rayon::prelude::*;
 use zhuyi_sim::Draws;
 
 use crate::evidence::Evidence;
+use crate::manoeuvres;
 use crate::mrf::{Mrf, Required, required};
 use crate::parallel::one_by_one;
 use crate::progress::Progress;
 use crate::rates::uniform;
 use crate::statistics::wilson_interval;
 use crate::strata::{phases, with_phases};
-use crate::sweep::{Cell, Experiment};
+use crate::sweep::{Cell, Contact, Experiment};
 
 /// How many drives a rate gets.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,7 +43,7 @@ pub enum Stop {
 }
 
 /// What the drives at a rate came to.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Share {
     /// [Hz] the rate of all cameras.
     pub rate: u32,
@@ -54,6 +55,66 @@ pub struct Share {
     pub interval: (f64, f64),
     /// The first seed that collided.
     pub first: Option<u64>,
+    /// What kinds of contacts there were.
+    pub contacts: Contacts,
+    /// Whether each manoeuvre of the scenario began in any of the drives, actor after actor.
+    pub began: Vec<bool>,
+}
+
+/// Whether a higher rate than the highest could spare contacts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MoreFrames {
+    /// Some were with actors that were not confirmed yet.
+    CouldHelp,
+    /// All but those from behind were with confirmed actors: only if they had been confirmed sooner.
+    MayHelp,
+    /// All were from behind.
+    CannotHelp,
+}
+
+/// Contacts by kind, as far as frames go.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Contacts {
+    /// Number of drives in which the ego was struck from behind.
+    pub from_behind: u32,
+    /// Number of the others in which the actor was not confirmed by the contact.
+    pub unconfirmed: u32,
+    /// Number of the others in which it was.
+    pub confirmed: u32,
+}
+
+impl Contacts {
+    /// All of them.
+    pub fn all(self) -> u32 {
+        self.from_behind + self.unconfirmed + self.confirmed
+    }
+
+    /// Whether a higher rate could spare the ego some of them; none where there are none. A contact from behind is none that
+    /// frames prevent: the ego drives on as it would have. One with an actor that was not confirmed may be spared by sooner
+    /// confirmation. One with a confirmed actor may not: the ego knew of it, and braked as it could from then on; had it been
+    /// confirmed sooner, it might have.
+    pub fn more_frames(self) -> Option<MoreFrames> {
+        match (self.all(), self.unconfirmed, self.confirmed) {
+            (0, ..) => None,
+            (_, 0, 0) => Some(MoreFrames::CannotHelp),
+            (_, 0, _) => Some(MoreFrames::MayHelp),
+            (..) => Some(MoreFrames::CouldHelp),
+        }
+    }
+
+    /// One more.
+    fn count(&mut self, contact: Contact) {
+        let kind = match contact {
+            Contact {
+                from_behind: true, ..
+            } => &mut self.from_behind,
+            Contact {
+                confirmed: false, ..
+            } => &mut self.unconfirmed,
+            Contact { .. } => &mut self.confirmed,
+        };
+        *kind += 1;
+    }
 }
 
 /// The minimum required rate of a scenario, and between which rates it may lie.
@@ -68,6 +129,9 @@ pub struct Confident {
     /// Rates of which the higher one is shown to collide more often: the lower, the higher.
     pub rising: Vec<(u32, u32)>,
 }
+
+/// A drive: its contact, if there is one, and which manoeuvres began.
+type Driven = (Option<Contact>, Vec<bool>);
 
 impl Trials {
     /// The shares of every scenario at every one of `rates`.
@@ -95,23 +159,26 @@ impl Trials {
         rate: u32,
         progress: &dyn Progress,
     ) -> Share {
-        let collides = |seed: u64| {
-            let collides = self.collides(experiment, scenario, rate, seed);
+        let drive = |seed: u64| {
+            let driven = self.drive(experiment, scenario, rate, seed);
             progress.step();
-            collides
+            driven
         };
         let seeds = 0..self.drives;
         // All that are made whatever comes are made together.
-        let made: Vec<bool> = match self.stop {
-            Stop::Never => seeds.clone().into_par_iter().map(collides).collect(),
+        let made: Vec<Driven> = match self.stop {
+            Stop::Never => seeds.clone().into_par_iter().map(drive).collect(),
             Stop::Collision | Stop::Decided(_) => Vec::new(),
         };
         let (mut evidence, mut first) = (Evidence::default(), None);
+        let (mut contacts, mut began) = (Contacts::default(), Vec::new());
+        let mut made = made.into_iter();
         for seed in seeds {
-            let collided = made.get(seed as usize).copied();
-            let collided = collided.unwrap_or_else(|| collides(seed));
-            evidence.count(collided);
-            if collided {
+            let (contact, begun) = made.next().unwrap_or_else(|| drive(seed));
+            evidence.count(contact.is_some());
+            manoeuvres::join(&mut began, &begun);
+            if let Some(contact) = contact {
+                contacts.count(contact);
                 first = first.or(Some(seed));
             }
             if self.is_enough(&evidence) {
@@ -129,6 +196,8 @@ impl Trials {
                 Stop::Collision | Stop::Decided(_) => evidence.interval(),
             },
             first,
+            contacts,
+            began,
         }
     }
 
@@ -144,22 +213,22 @@ impl Trials {
         }
     }
 
-    /// Whether a drive collides.
-    fn collides(&self, experiment: &Experiment<'_>, scenario: usize, rate: u32, seed: u64) -> bool {
+    /// Makes a drive.
+    fn drive(&self, experiment: &Experiment<'_>, scenario: usize, rate: u32, seed: u64) -> Driven {
         let cell = Cell {
             scenario,
             rates: uniform(experiment.system, rate),
             seed,
         };
         let Some(phases) = self.phases(experiment, scenario, seed) else {
-            return experiment.collides(&cell);
+            return experiment.contact(&cell);
         };
         let system = &with_phases(experiment.system, &phases);
         Experiment {
             system,
             ..*experiment
         }
-        .collides(&cell)
+        .contact(&cell)
     }
 
     /// [-] the phases of the cameras in a drive, where they are stratified.
@@ -188,7 +257,21 @@ impl Trials {
     }
 }
 
+/// Which manoeuvres of a scenario began in any of the drives of some shares, actor after actor.
+pub fn began<'s>(shares: impl Iterator<Item = &'s Share>) -> Vec<bool> {
+    let mut began = Vec::new();
+    for share in shares {
+        manoeuvres::join(&mut began, &share.began);
+    }
+    began
+}
+
 impl Share {
+    /// Number of drives that collided otherwise than by being struck from behind.
+    pub fn collided_ahead(&self) -> u32 {
+        self.collided - self.contacts.from_behind
+    }
+
     /// [-] the share of the drives that collided.
     pub fn share(&self) -> f64 {
         f64::from(self.collided) / f64::from(self.drives.max(1))
@@ -256,7 +339,7 @@ mod tests {
             collided,
             drives,
             interval: wilson_interval(collided, drives),
-            first: None,
+            ..Share::default()
         }
     }
 
@@ -265,6 +348,28 @@ mod tests {
         plan.scenarios
             .retain(|scenario| scenario.name == "cut-out-fast");
         plan
+    }
+
+    #[test]
+    fn hand_contacts_by_kind_say_whether_more_frames_could_help() {
+        let of = |from_behind, unconfirmed, confirmed| Contacts {
+            from_behind,
+            unconfirmed,
+            confirmed,
+        };
+        assert_eq!(of(0, 0, 0).more_frames(), None);
+        assert_eq!(of(9, 0, 0).more_frames(), Some(MoreFrames::CannotHelp));
+        assert_eq!(of(9, 0, 1).more_frames(), Some(MoreFrames::MayHelp));
+        assert_eq!(of(9, 1, 1).more_frames(), Some(MoreFrames::CouldHelp));
+        let mut counted = Contacts::default();
+        for (from_behind, confirmed) in [(true, true), (true, false), (false, false), (false, true)]
+        {
+            counted.count(Contact {
+                from_behind,
+                confirmed,
+            });
+        }
+        assert_eq!(counted, of(2, 1, 1));
     }
 
     #[test]
@@ -288,7 +393,10 @@ mod tests {
         assert_eq!(found.rising, [(1, 2)]);
         assert_eq!(found.required.safe_below, [1]);
         // One of ten may be chance.
-        assert_eq!(Confident::of(&[shares[0], shares[2]], 0.3).rising, []);
+        assert_eq!(
+            Confident::of(&[shares[0].clone(), shares[2].clone()], 0.3).rising,
+            []
+        );
     }
 
     #[test]
@@ -332,7 +440,7 @@ mod tests {
             rates: uniform(&system, 4),
             seed: 4,
         };
-        assert_eq!(same.collides(&cell), strata.collides(&experiment, 0, 4, 4));
+        assert_eq!(same.contact(&cell), strata.drive(&experiment, 0, 4, 4));
         // At the end of blocks alone the decision is taken.
         let decided = Trials {
             stop: Stop::Decided(0.05),

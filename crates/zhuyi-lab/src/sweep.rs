@@ -13,9 +13,10 @@ use zhuyi_scenario::{Scenario, System};
 use zhuyi_sim::starts::{Crowded, starts};
 use zhuyi_sim::trace::{Row, Trace};
 use zhuyi_sim::{Draws, Extremes, Frames, Hindsight, Outcome, Peaks, Run, Simulation};
-use zhuyi_world::{Side, Start};
+use zhuyi_world::{Progress, Side, Start};
 
 pub use crate::estimators::estimator;
+use crate::manoeuvres::began;
 use crate::parallel::one_by_one;
 pub use crate::rates::uniform;
 
@@ -52,6 +53,8 @@ pub struct Record {
     pub end: SimTime,
     /// How close it was.
     pub extremes: Extremes,
+    /// How far each manoeuvre came: actor after actor, in the order of their scripts.
+    pub manoeuvres: Vec<Progress>,
     /// Frames of each camera, in the order of the rig.
     pub frames: Vec<Frames>,
     /// Whether each camera ever had an actor in view, looked at every [`GLANCE`].
@@ -69,8 +72,21 @@ pub struct Collision {
     pub actor: ActorId,
     /// With which side of the ego.
     pub side: Side,
+    /// Whether it was struck from behind: by an actor that closed in on the rear half of its box.
+    pub from_behind: bool,
+    /// Whether the ego had confirmed the actor by then.
+    pub confirmed: bool,
     /// What it did to both; none where the crash solver has refused the state of a body.
     pub impact: Option<Impact>,
+}
+
+/// The kind of a contact, as far as frames go.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Contact {
+    /// Whether the ego was struck from behind.
+    pub from_behind: bool,
+    /// Whether it had confirmed the actor by then.
+    pub confirmed: bool,
 }
 
 /// A crash, in figures.
@@ -124,6 +140,19 @@ impl Experiment<'_> {
         self.drive(cell).collided()
     }
 
+    /// The contact of the run of a cell, if there is one, and which of its manoeuvres began.
+    pub fn contact(&self, cell: &Cell) -> (Option<Contact>, Vec<bool>) {
+        let run = self.drive(cell);
+        let contact = match &run.outcome {
+            Outcome::Completed => None,
+            Outcome::Collision(collision) => Some(Contact {
+                from_behind: collision.from_behind,
+                confirmed: collision.confirmed,
+            }),
+        };
+        (contact, began(&run))
+    }
+
     fn drive(&self, cell: &Cell) -> Run {
         let (scenario, draws) = self.draws(cell);
         Simulation::new(scenario, self.system, &cell.rates, draws).run()
@@ -172,6 +201,7 @@ impl Experiment<'_> {
                 .map_or(scenario.duration, |collision| collision.time),
             collision,
             extremes: run.extremes(&scenario.road),
+            manoeuvres: run.manoeuvres.iter().flatten().copied().collect(),
             active: self.active(&run.trace),
             frames: run.frames,
             peaks,
@@ -202,6 +232,8 @@ impl From<&zhuyi_sim::Collision> for Collision {
             time: collision.time,
             actor: collision.actor,
             side: collision.side,
+            from_behind: collision.from_behind,
+            confirmed: collision.confirmed,
             impact,
         }
     }

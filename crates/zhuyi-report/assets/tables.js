@@ -114,8 +114,9 @@ function fillHeader(drive) {
   byId("subtitle").textContent = summary.title;
   const outcome = byId("outcome");
   if (summary.collision) {
-    const { time_s, side, actor } = summary.collision;
-    outcome.textContent = `Collision at ${time_s.toFixed(3)} s: the ego's ${side} touched ${actor}.`;
+    const { time_s, side, actor, struck_from_behind } = summary.collision;
+    const behind = struck_from_behind ? " Struck from behind." : "";
+    outcome.textContent = `Collision at ${time_s.toFixed(3)} s: the ego's ${side} touched ${actor}.${behind}`;
     outcome.classList.add("bad");
   } else if (summary.seed === null) {
     outcome.textContent = `${summary.recorded_s.toFixed(1)} s on record; whether vehicles touched is not told by a recording.`;
@@ -140,6 +141,23 @@ function fillHeader(drive) {
     byId("figures").append(box);
   });
   byId("demand-note").textContent = drive.provenance.demand;
+  summary.notes.forEach((note) => byId("notes").append(element("li", note.text)));
+  byId("notes").hidden = summary.notes.length === 0;
+  byId("script").hidden = summary.manoeuvres.length === 0;
+  header(byId("manoeuvres"), [["actor"], ["place", 1], ["manoeuvre"], ["began [s]", 1], ["ended [s]", 1], [""]]);
+  summary.manoeuvres.forEach((one) => {
+    const row = element("tr");
+    const remark = one.began_s === null ? "never began" : one.replaced ? "replaced by the next of its kind" : "";
+    row.append(
+      element("td", one.actor),
+      element("td", String(one.place), "number"),
+      element("td", one.action),
+      element("td", figure(one.began_s, 2), "number"),
+      element("td", figure(one.ended_s, 2), "number"),
+      element("td", remark),
+    );
+    byId("manoeuvres").tBodies[0].append(row);
+  });
 }
 
 function fillProvenance(drive) {

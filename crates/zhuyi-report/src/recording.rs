@@ -272,6 +272,8 @@ impl Recording<'_> {
             "recorded_s": last - first,
             "smallest_gap_m": gap,
             "smallest_ttc_s": ttc,
+            "manoeuvres": [],
+            "notes": [],
             "hardest_braking_mps2": decel.max_by(f64::total_cmp),
             "estimate": { "largest_fpr": largest },
             "cameras": cameras,

@@ -52,8 +52,8 @@ impl Arguments {
 impl Task for Merge {
     fn run(self: Box<Self>) -> Result<Answer, Error> {
         let mut told = Told::default();
-        let plan = batch::merge(&self.dirs, &self.out, &mut |plan, run, made| {
-            told.add(plan, run, made);
+        let plan = batch::merge(&self.dirs, &self.out, &mut |plan, run, made, manoeuvres| {
+            told.add(plan, run, made, manoeuvres);
         })?;
         if let Some(write) = self.parquet {
             write(&self.out)?;

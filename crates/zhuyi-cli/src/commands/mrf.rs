@@ -49,8 +49,14 @@ to be at most P or above it. Intervals are then those of Robbins (1970), which h
 called wrongly with a chance of 5 % at most, however often it is looked at. For P = 0.05 that takes 158 drives without a collision.
 
 --json is stable: fields are added, never renamed; what there is not is null. Per scenario: mrf, mrf_fpr, safe_below_fpr, \
-rising (pairs: the higher rate is shown to collide more often), not_excluded_fpr and shown_fpr (the 95 % range) and rates, each \
-with collided, drives, share, low and high (its interval) and replay, the command of its first collision.
+rising (pairs: the higher rate is shown to collide more often), not_excluded_fpr and shown_fpr (the 95 % range), \
+mrf_without_struck_from_behind, more_frames (could, may or cannot help where the highest rate collides), never_began (manoeuvres) \
+and rates, each with collided, drives, share, low and high (its interval), struck_from_behind, with_unconfirmed and with_confirmed \
+(contacts by kind) and replay, the command of its first collision.
+
+Where the highest rate collides its contacts are told by kind. Struck from behind is an ego whose rear half an actor closes in on: \
+that no frame rate prevents. With an actor not yet confirmed: more frames confirm it sooner. With a confirmed actor: the ego knew of \
+it, and the rest was up to its brakes. MRF itself counts any contact, as the paper does.
 
 With --per-camera, front_120 (and front_60 with it), left and right have a rate each; rear keeps that of the system file. A \
 combination of rates is safe when it and all in which no camera is slower are free of collisions; found are the slowest safe ones. \

@@ -380,7 +380,7 @@ impl Task for Sweep {
             )));
         }
         let mut told = Told::default();
-        folder.finish(&mut |plan, run, made| told.add(plan, run, made))?;
+        folder.finish(&mut |plan, run, made, manoeuvres| told.add(plan, run, made, manoeuvres))?;
         if let Some(write) = self.parquet {
             write(out)?;
         }

@@ -13,6 +13,7 @@
 //! | `reports` | `run --report`: the data in the page |
 //! | `explanations` | `explain`: stages, changes that save the drive |
 //! | `refusals` | bad input: exit code, place, rule, hint |
+//! | `scripts` | manoeuvres that began and never did, notes on a run, contacts from behind, starts with jitter |
 //! | `schemas` | `schema`: the documents and tables that commands write are what their schemas say |
 //! | `places` | where results go: unwritable, full, closed, interrupted |
 
@@ -32,6 +33,7 @@ mod recordings;
 mod refusals;
 mod reports;
 mod schemas;
+mod scripts;
 
 use std::path::PathBuf;
 use std::process::Command;

@@ -101,7 +101,7 @@ fn regress_the_names_of_the_document() {
     // serde_json sorts the names of a document that is read.
     assert_eq!(
         names(&document),
-        "alarms bytes_avoided cameras collision command end_s estimate evading_from_s frames_processed hard_braking_from_s hardest_braking_mps2 \
+        "alarms bytes_avoided cameras collision command end_s estimate evading_from_s frames_processed hard_braking_from_s hardest_braking_mps2 manoeuvres notes \
          root_seed scenario seed share_of_30_fpr smallest_gap_m smallest_ttc_s title version"
     );
     assert_eq!(

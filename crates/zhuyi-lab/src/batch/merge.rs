@@ -10,6 +10,7 @@ use csv::StringRecord;
 use super::blocks::{PLAN, RUNS, block_path, complete, flush_names, is_under_way, known_plan};
 use super::{BatchError, Plan, Run};
 use crate::error::Attempt;
+use crate::manoeuvres::COLUMN;
 use crate::results::{Draft, prepare};
 use crate::runs::{NAMED_BY, OUTCOME};
 
@@ -48,8 +49,9 @@ impl Made {
     }
 }
 
-/// Is told what each run came to, in order: a sweep may have more runs than a list of them has room for.
-pub type Tell<'a> = &'a mut dyn FnMut(&Plan, Run, Made);
+/// Is told what each run came to, in order, and when its manoeuvres began and ended as [`spelt`](crate::manoeuvres::spelt): a
+/// sweep may have more runs than a list of them has room for.
+pub type Tell<'a> = &'a mut dyn FnMut(&Plan, Run, Made, &str);
 
 /// Merges the folders of the shards of one sweep into another folder, tells what its runs came to and gives its plan.
 ///
@@ -191,6 +193,8 @@ impl Plan {
         if !header.iter().take(names.len()).eq(names.iter().copied()) {
             return Err("its header is another".to_string());
         }
+        // A table of an earlier version has none.
+        let manoeuvres = header.iter().position(|name| name == COLUMN);
         let mut expected = places.clone();
         let reached = |expected: &Range<u64>| expected.start - places.start;
         let mut row = StringRecord::new();
@@ -202,7 +206,8 @@ impl Plan {
             let Some((run, made)) = run.filter(is_meant).zip(made) else {
                 return Err(format!("its run {} is another", before + 1));
             };
-            tell(self, run, made);
+            let manoeuvres = manoeuvres.and_then(|place| row.get(place));
+            tell(self, run, made, manoeuvres.unwrap_or(""));
         }
         if !expected.is_empty() {
             let (found, count) = (reached(&expected), places.end - places.start);

@@ -155,7 +155,7 @@ mod tests {
             collided: u32::from(rate < border[value]),
             drives: 1,
             interval: (0.0, 1.0),
-            first: None,
+            ..Share::default()
         };
         let mut search = Search::new((border.len(), rates), drive);
         search.trace();

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use super::Columns;
 use crate::batch::SCHEMA;
 use crate::columns::{Column, Kind, Table};
+use crate::manoeuvres;
 use Kind::{Number, Text, Truth, Whole};
 use zhuyi_estimator::State;
 
@@ -14,7 +15,7 @@ pub(crate) const NAMED_BY: [&str; 4] = ["scenario", "part", "fpr_hz", "seed"];
 pub(crate) const OUTCOME: &str = "outcome";
 
 /// Behind the outcome, in this order.
-const COLLISION: [Column; 6] = [
+const COLLISION: [Column; 7] = [
     Column::fixed(
         "collision_time_s",
         Number,
@@ -27,6 +28,12 @@ const COLLISION: [Column; 6] = [
         Text,
         "",
         "with which side of the ego: front, rear, left or right",
+    ),
+    Column::fixed(
+        "struck_from_behind",
+        Truth,
+        "",
+        "whether the actor closed in on the rear half of the ego's box",
     ),
     Column::fixed(
         "impact_speed_mps",
@@ -47,7 +54,7 @@ const COLLISION: [Column; 6] = [
         "change of the actor's velocity by the impact",
     ),
 ];
-const EXTREMES: [Column; 4] = [
+const EXTREMES: [Column; 5] = [
     Column::fixed(
         "duration_s",
         Number,
@@ -71,6 +78,13 @@ const EXTREMES: [Column; 4] = [
         Number,
         "m/s2",
         "hardest braking of the ego",
+    ),
+    Column::fixed(
+        manoeuvres::COLUMN,
+        Text,
+        "",
+        "when each manoeuvre began and ended, in seconds: actor.place action from-to; .. (from 1; `never`: not begun; no end: under way \
+         at the end; `replaced`: by another of its kind)",
     ),
 ];
 const DEMANDS: [Column; 6] = [

@@ -71,7 +71,7 @@ fn law_the_border_is_that_of_the_full_grid_with_a_part_of_the_drives() {
         }
         // What was driven came to the same.
         for ((value, rate), cell) in &curve.cells {
-            let full = map.rows[*value].shares[*rate];
+            let full = &map.rows[*value].shares[*rate];
             assert_eq!(cell.share.first, full.first);
             assert!(cell.audit != Some(true));
         }

@@ -54,6 +54,8 @@ pub fn records(plan: &Plan, came: &[Came]) -> Vec<Record> {
             time: SimTime::from_millis(1500),
             actor: ActorId(0),
             side: Side::Front,
+            from_behind: false,
+            confirmed: true,
             impact: None,
         };
         let cameras = plan.system.perception.eyes.len();
@@ -89,6 +91,7 @@ pub fn records(plan: &Plan, came: &[Came]) -> Vec<Record> {
                 time_to_collision: None,
                 decel: 2.5,
             },
+            manoeuvres: Vec::new(),
             frames: vec![
                 Frames {
                     exposed: 10,

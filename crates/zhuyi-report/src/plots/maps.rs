@@ -183,7 +183,7 @@ mod tests {
             collided,
             drives: 10,
             interval: (0.0, 1.0),
-            first: None,
+            ..Share::default()
         };
         let row = |value: &str, counts: [u32; 3]| Row {
             value: value.to_string(),
@@ -193,6 +193,7 @@ mod tests {
                 .collect(),
         };
         Map {
+            never: Vec::new(),
             scenario: "cut-in".into(),
             path: "perception.drop_rate".into(),
             rows: vec![row("0", [7, 0, 0]), row("0.5", [10, 0, 1])],

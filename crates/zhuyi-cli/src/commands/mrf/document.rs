@@ -4,7 +4,8 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use zhuyi_lab::shares::{Confident, Share, Stop};
+use zhuyi_lab::manoeuvres::never;
+use zhuyi_lab::shares::{Confident, MoreFrames, Share, Stop, began};
 use zhuyi_lab::sweep::{Cell, uniform};
 
 use super::uniform::Search;
@@ -46,6 +47,14 @@ struct OfScenario {
     not_excluded_fpr: Option<u32>,
     /// [FPR] the lowest rate from which on all are shown to be as good as allowed; `null` where the highest is not.
     shown_fpr: Option<u32>,
+    /// [FPR] the MRF where contacts from behind do not count, as the table has it; `null` where none were, or where drives that
+    /// would tell were not made.
+    mrf_without_struck_from_behind: Option<String>,
+    /// Where the highest tested rate collides, whether more frames could help: `could` (some actors were not confirmed yet), `may`
+    /// (all were, but for those from behind: only if they are confirmed sooner) or `cannot` (all contacts were from behind).
+    more_frames: Option<&'static str>,
+    /// Manoeuvres that began in no drive, as `cutter.2 Brake`: actor, place in its script from 1, action.
+    never_began: Vec<String>,
     /// All that were tested.
     rates: Vec<AtRate>,
 }
@@ -74,6 +83,12 @@ struct AtRate {
     low: f64,
     /// [-] ... and upper end.
     high: f64,
+    /// Number of drives that were struck from behind: by an actor that closed in on the rear half of the ego.
+    struck_from_behind: u32,
+    /// Number of the other collisions whose actor was not confirmed by then.
+    with_unconfirmed: u32,
+    /// Number of the other collisions whose actor was.
+    with_confirmed: u32,
     /// The command that makes the first drive that collided.
     replay: Option<String>,
 }
@@ -97,6 +112,9 @@ impl Document {
                 share: share.share(),
                 low: share.interval.0,
                 high: share.interval.1,
+                struck_from_behind: share.contacts.from_behind,
+                with_unconfirmed: share.contacts.unconfirmed,
+                with_confirmed: share.contacts.confirmed,
                 replay: share
                     .first
                     .map(|seed| replay(search, place, share.rate, seed)),
@@ -115,6 +133,11 @@ impl Document {
                     .collect(),
                 not_excluded_fpr: not_excluded,
                 shown_fpr: shown,
+                mrf_without_struck_from_behind: search
+                    .required_ahead(&shares[place])
+                    .map(|mrf| mrf.to_string()),
+                more_frames: shares[place].last().and_then(more_frames),
+                never_began: never(&grid.scenarios[place], &began(shares[place].iter())),
                 rates: shares[place].iter().map(rate).collect(),
             }
         };
@@ -137,6 +160,15 @@ impl Document {
             .unwrap_or_else(|error| unreachable!("minimum required rates are JSON: {error}"));
         document + "\n"
     }
+}
+
+/// Whether more frames than those of a rate could help.
+fn more_frames(share: &Share) -> Option<&'static str> {
+    Some(match share.contacts.more_frames()? {
+        MoreFrames::CouldHelp => "could",
+        MoreFrames::MayHelp => "may",
+        MoreFrames::CannotHelp => "cannot",
+    })
 }
 
 /// The command that makes a drive again, its phases set where they were stratified.

@@ -2,7 +2,9 @@
 
 use clap::Args;
 use zhuyi_lab::Progress;
-use zhuyi_lab::shares::{Confident, Share, Stop, Trials};
+use zhuyi_lab::manoeuvres::{never, note};
+use zhuyi_lab::mrf::{Mrf, required};
+use zhuyi_lab::shares::{Confident, Contacts, MoreFrames, Share, Stop, Trials, began};
 
 use super::document::Document;
 use crate::answer::Answer;
@@ -116,8 +118,9 @@ impl Search {
         bar.start("drives", rates as u64 * self.trials.drives);
         let shares = self.trials.shares(&grid.experiment(), &grid.rates, &bar);
         drop(bar);
+        let never = self.never(&shares);
         if self.json {
-            return Ok(Answer::new(Document::of(self, &shares).json()));
+            return Ok(Answer::new(Document::of(self, &shares).json()).with_notes(never));
         }
         let by_rate = if self.by_rate {
             self.by_rate(&shares) + "\n"
@@ -125,11 +128,78 @@ impl Search {
             String::new()
         };
         Ok(Answer::new(format!(
-            "{}{}\n{by_rate}{}",
+            "{}{}{}{}\n{by_rate}{}",
             self.table(&shares),
             self.rising(&shares),
+            self.contacts(&shares),
+            paragraph(&never),
             self.legend()
         )))
+    }
+
+    /// A line for each scenario with manoeuvres that began in no drive.
+    fn never(&self, shares: &[Vec<Share>]) -> Vec<String> {
+        let of = self.grid.scenarios.iter().zip(shares);
+        of.filter_map(|(scenario, shares)| {
+            let never = never(scenario, &began(shares.iter()));
+            note(&scenario.name, never.iter().map(String::as_str))
+        })
+        .collect()
+    }
+
+    /// For each scenario that collides at its highest rate: what kinds of contacts those are, and whether more frames could help.
+    fn contacts(&self, shares: &[Vec<Share>]) -> String {
+        let of = self.grid.scenarios.iter().zip(shares);
+        let told: Vec<String> = of
+            .filter_map(|(scenario, shares)| self.contacts_of(&scenario.name, shares))
+            .collect();
+        paragraph(&told)
+    }
+
+    fn contacts_of(&self, name: &str, shares: &[Share]) -> Option<String> {
+        let highest = shares.last()?;
+        let Contacts {
+            from_behind,
+            unconfirmed,
+            confirmed,
+        } = highest.contacts;
+        let kinds = [
+            (from_behind, "struck from behind"),
+            (unconfirmed, "with an actor not yet confirmed"),
+            (confirmed, "with a confirmed actor"),
+        ];
+        let kinds = kinds.iter().filter(|(count, _)| *count > 0);
+        let kinds: Vec<String> = kinds
+            .map(|(count, kind)| format!("{count} {kind}"))
+            .collect();
+        let verdict = match highest.contacts.more_frames()? {
+            MoreFrames::CouldHelp => "more frames could help",
+            MoreFrames::MayHelp => {
+                "more frames help only if actors are confirmed sooner by them (zhuyi explain says when)"
+            }
+            MoreFrames::CannotHelp => "more frames cannot help",
+        };
+        let without = self.required_ahead(shares).map_or(String::new(), |mrf| {
+            format!("; MRF without contacts from behind: {mrf}")
+        });
+        Some(format!(
+            "{name} at {} FPR: {}; {verdict}{without}",
+            highest.rate,
+            kinds.join(", ")
+        ))
+    }
+
+    /// The minimum required rate where contacts from behind do not count; none where none were, or where drives that would tell
+    /// were not made.
+    pub fn required_ahead(&self, shares: &[Share]) -> Option<Mrf> {
+        let struck = shares.iter().any(|share| share.contacts.from_behind > 0);
+        if !struck || self.trials.stop != Stop::Never {
+            return None;
+        }
+        let ahead = shares
+            .iter()
+            .map(|share| (share.rate, share.collided_ahead()));
+        Some(required(&ahead.collect::<Vec<_>>()).mrf)
     }
 
     fn table(&self, shares: &[Vec<Share>]) -> String {
@@ -236,5 +306,14 @@ impl Search {
             ),
         };
         own + &strata + &range
+    }
+}
+
+/// Lines, with an empty one before them where there are any.
+fn paragraph(lines: &[String]) -> String {
+    if lines.is_empty() {
+        String::new()
+    } else {
+        format!("\n{}\n", lines.join("\n"))
     }
 }

@@ -11,8 +11,8 @@ use zhuyi_perception::Eye;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::{Chip, Compute};
 use zhuyi_sim::{Asked, Hindsight, Outcome, Peaks};
-use zhuyi_world::Side;
 use zhuyi_world::crash::Rest;
+use zhuyi_world::{Progress, Side};
 
 use super::Run;
 use crate::shell;
@@ -49,6 +49,10 @@ pub struct Summary {
     pub hard_braking_from_s: Option<f64>,
     /// [s] when the planner first left its lane to evade.
     pub evading_from_s: Option<f64>,
+    /// The manoeuvres of the actors, in the order of the scenario.
+    pub manoeuvres: Vec<Scripted>,
+    /// What no other figure tells, in the order in which it began.
+    pub notes: Vec<Note>,
     /// The offline estimate over all analysed cameras.
     pub estimate: Estimate,
     /// Every camera, in the order of the rig.
@@ -72,8 +76,42 @@ pub struct Collision {
     pub actor: String,
     /// Which side of the ego: `front`, `rear`, `left` or `right`.
     pub side: &'static str,
+    /// Whether the actor closed in on the rear half of the ego's box.
+    pub struck_from_behind: bool,
+    /// Whether the ego had confirmed the actor by then.
+    pub actor_confirmed: bool,
     /// What it did; `null` where the crash could not be worked out.
     pub crash: Option<Crash>,
+}
+
+/// A manoeuvre of an actor.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Scripted {
+    /// Name of the actor.
+    pub actor: String,
+    /// Its place in the actor's script, from 1.
+    pub place: usize,
+    /// `ChangeLane`, `ReachSpeed`, `Brake` or `Behave`.
+    pub action: &'static str,
+    /// [s] the step at which it began; `null` where its trigger has not fired.
+    pub began_s: Option<f64>,
+    /// [s] the step at which it had reached its goal, or was replaced; `null` where it has not ended.
+    pub ended_s: Option<f64>,
+    /// Whether another of its kind, across or along the road, replaced it before it had reached its goal.
+    pub replaced: bool,
+}
+
+/// Something that happened in a drive.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Note {
+    /// `actors_in_each_other`, `off_road` or `past_end`.
+    pub kind: &'static str,
+    /// [s] the first step at which it holds.
+    pub from_s: f64,
+    /// [s] the last step at which it holds.
+    pub until_s: f64,
+    /// The same in words.
+    pub text: String,
 }
 
 /// What a contact did.
@@ -210,6 +248,8 @@ impl Summary {
             hardest_braking_mps2: extremes.decel,
             hard_braking_from_s: first(Manoeuvre::Brake),
             evading_from_s: first(Manoeuvre::Evade),
+            manoeuvres: scripted(scenario, run),
+            notes: noted(scenario, run),
             estimate: Estimate {
                 until_contact: run.collided(),
                 largest_fpr: peaks.largest,
@@ -272,6 +312,33 @@ fn cameras(asked: &Run, run: &zhuyi_sim::Run, peaks: &Peaks, end: f64) -> Vec<Ca
     eyes.map(camera).collect()
 }
 
+fn scripted(scenario: &Scenario, run: &zhuyi_sim::Run) -> Vec<Scripted> {
+    let of = scenario.actors.iter().zip(&run.manoeuvres);
+    let all = of.flat_map(|(actor, progress)| {
+        let numbered = (1..).zip(&actor.manoeuvres).zip(progress);
+        numbered.map(|((place, manoeuvre), progress)| Scripted {
+            actor: actor.name.clone(),
+            place,
+            action: manoeuvre.then.name(),
+            began_s: progress.began().map(seconds),
+            ended_s: progress.ended().map(seconds),
+            replaced: matches!(progress, Progress::Replaced { .. }),
+        })
+    });
+    all.collect()
+}
+
+fn noted(scenario: &Scenario, run: &zhuyi_sim::Run) -> Vec<Note> {
+    let notes = zhuyi_sim::notes(&run.trace, &scenario.road).into_iter();
+    let told = notes.map(|note| Note {
+        kind: note.subject.kind(),
+        from_s: seconds(note.from),
+        until_s: seconds(note.until),
+        text: note.text(run.trace.names()),
+    });
+    told.collect()
+}
+
 /// None where nothing was checked.
 fn alarms(asked: &[Asked]) -> Option<Alarms> {
     let alarm = |asked: &&Asked| asked.alarms.contains(&true);
@@ -323,6 +390,8 @@ pub fn collision(scenario: &Scenario, run: &zhuyi_sim::Run) -> Option<Collision>
             Side::Left => "left",
             Side::Right => "right",
         },
+        struck_from_behind: collision.from_behind,
+        actor_confirmed: collision.confirmed,
         crash,
     })
 }

@@ -19,7 +19,9 @@ pub fn describe(
     );
     text += &outcome(summary);
     text += &closeness(summary);
+    text += &manoeuvres(summary);
     text.push('\n');
+    text += &notes(summary);
     text += &cameras(summary);
     text += &remarks(summary);
     text.push('\n');
@@ -55,10 +57,15 @@ fn contact(
         time_s,
         actor,
         side,
+        struck_from_behind,
+        actor_confirmed: _,
         crash,
     }: &Collision,
 ) -> String {
     let mut text = format!("COLLISION at {time_s:.3} s: the ego's {side} touched `{actor}`.\n");
+    if *struck_from_behind {
+        text += "Struck from behind: the actor closed in on the ego's rear half, which no frame rate prevents.\n";
+    }
     let Some(crash) = crash else {
         return text + "The crash could not be worked out.\n";
     };
@@ -126,6 +133,36 @@ fn closeness(summary: &Summary) -> String {
             "evasion",
             format!("the ego leaves its lane from {from:.2} s on"),
         );
+    }
+    text
+}
+
+/// When the manoeuvres of the actors began and ended.
+fn manoeuvres(summary: &Summary) -> String {
+    let mut text = String::new();
+    for one in &summary.manoeuvres {
+        let when = match (one.began_s, one.ended_s) {
+            (None, _) => "never began".to_string(),
+            (Some(began), None) => format!("from {began:.2} s, not ended"),
+            (Some(began), Some(ended)) if one.replaced => {
+                format!("{began:.2} to {ended:.2} s, replaced")
+            }
+            (Some(began), Some(ended)) => format!("{began:.2} to {ended:.2} s"),
+        };
+        let name = format!("{}.{}", one.actor, one.place);
+        let _infallible = writeln!(text, "  {name:18} {:11} {when}", one.action);
+    }
+    text
+}
+
+/// What no figure tells.
+fn notes(summary: &Summary) -> String {
+    let mut text = String::new();
+    for note in &summary.notes {
+        let _infallible = writeln!(text, "Note: {}.", note.text);
+    }
+    if !text.is_empty() {
+        text.push('\n');
     }
     text
 }

@@ -1,8 +1,10 @@
 //! What a finished sweep says.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use zhuyi_lab::batch::{Made, Plan, Run};
+use zhuyi_lab::manoeuvres::{Seen, note};
 
 use super::super::grid::{REQUIRED, legend, required_cells};
 use crate::tables::table;
@@ -21,6 +23,8 @@ pub struct Told {
     drives: u64,
     refused: u64,
     failed: u64,
+    /// Which manoeuvres began, for each scenario in the order of the plan.
+    seen: BTreeMap<usize, Seen>,
 }
 
 /// A point so far.
@@ -34,8 +38,9 @@ struct Point {
 }
 
 impl Told {
-    /// The next drive, in the order of the plan.
-    pub fn add(&mut self, plan: &Plan, run: Run, made: Made) {
+    /// The next drive, in the order of the plan, with its manoeuvres as its row spells them.
+    pub fn add(&mut self, plan: &Plan, run: Run, made: Made, manoeuvres: &str) {
+        self.seen.entry(run.scenario).or_default().add(manoeuvres);
         let place = |run: &Run| (run.scenario, run.point);
         if self.point.first.as_ref().map(place) != Some(place(&run)) {
             self.end_point(plan);
@@ -86,10 +91,15 @@ impl Told {
                 format!("{refused} refused and {failed} failed: the column `reason` says why\n")
             }
         };
+        let never = self.seen.iter().filter_map(|(scenario, seen)| {
+            let note = note(&plan.scenarios[*scenario].name, seen.never());
+            note.map(|note| note + "\n")
+        });
         format!(
-            "{}\n{more}\n{}\n{not_made}{} drives in {}{}\n",
+            "{}\n{more}\n{}\n{not_made}{}{} drives in {}{}\n",
             rows.trim_fmt(),
             legend(plan.rates_hz.len(), plan.seeds),
+            never.collect::<String>(),
             self.drives,
             out.join("runs.csv").display(),
             limited(plan)
