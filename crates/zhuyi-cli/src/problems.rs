@@ -157,7 +157,7 @@ impl Problems {
         scenarios: &[Scenario],
         system: &System,
         root: u64,
-        seeds: impl Iterator<Item = u64> + Clone,
+        seeds: &(impl Iterator<Item = u64> + Clone),
     ) {
         for scenario in scenarios {
             let mut drawn = seeds.clone().map(|seed| {

@@ -124,21 +124,17 @@ fn is_off(body: &Body, road: &Road) -> bool {
         return false;
     }
     let (sin, cos) = sin_cos(body.pose.heading - road.heading(body.road.s));
-    let half = (sin.abs() * body.footprint.length + cos.abs() * body.footprint.width) / 2.0;
+    let Footprint { length, width } = body.footprint;
+    let half = f64::midpoint(sin.abs() * length, cos.abs() * width);
     body.road.d.abs() + half > edge
 }
 
 /// Whether two boxes overlap in the world.
 fn are_in_each_other(one: &Body, other: &Body) -> bool {
-    // No corner is farther from its centre than half of length and width together.
-    let reach = half(one.footprint) + half(other.footprint);
+    let reach = one.footprint.radius() + other.footprint.radius();
     let (x, y) = (one.pose.x - other.pose.x, one.pose.y - other.pose.y);
     let placed = |body: &Body| -> (Footprint, Pose) { (body.footprint, body.pose) };
     x.abs() < reach && y.abs() < reach && overlap(placed(one), placed(other)).is_some()
-}
-
-fn half(footprint: Footprint) -> f64 {
-    (footprint.length + footprint.width) / 2.0
 }
 
 /// Notes under way, and those that are over.

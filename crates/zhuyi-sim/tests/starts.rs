@@ -71,8 +71,8 @@ fn regress_jitter_makes_no_overlap_and_changes_no_draw_without_one() {
                 )
             };
             let meant = |place: usize| 200.0 + 4.9 * place as f64;
-            for one in 0..count {
-                assert!((starts[one].s - meant(one)).abs() <= 0.5);
+            for (one, start) in starts.iter().enumerate() {
+                assert!((start.s - meant(one)).abs() <= 0.5);
                 assert!((0..one).all(|other| overlap(place(one), place(other)).is_none()));
             }
             let first = first(&scenario, &system, seed);

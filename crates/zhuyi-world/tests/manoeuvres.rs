@@ -100,8 +100,8 @@ fn regress_a_lane_change_back_half_way_goes_on_from_where_it_is() {
     let bodies = bodies(1, 26.8224, script, 12.0);
     let at = |time: f64| &bodies[(time / DT).round() as usize];
     // 15/8 x 3.5 m / 4 s at half-way.
-    assert!((at(4.0).d_rate - 1.640625).abs() < 1e-9);
-    assert!((at(4.01).d_rate - 1.640625).abs() < 0.01);
+    assert!((at(4.0).d_rate - 1.640_625).abs() < 1e-9);
+    assert!((at(4.01).d_rate - 1.640_625).abs() < 0.01);
     assert!((at(4.01).pose.heading - at(4.0).pose.heading).abs() < 1e-3);
     // It goes on to the left by T v_0 times the largest x - 6 x^3 + 8 x^4 - 3 x^5 less the way back, then comes home.
     let farthest = bodies.iter().map(|body| body.road.d).fold(-3.5, f64::max);

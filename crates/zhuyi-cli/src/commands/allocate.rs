@@ -131,7 +131,7 @@ impl Arguments {
         let plan = plan();
         if let Some(asked) = &plan {
             let (root, seeds) = (asked.root_seed, 0..asked.seeds);
-            problems.look_at_starts(&asked.scenarios, &asked.system, root, seeds);
+            problems.look_at_starts(&asked.scenarios, &asked.system, root, &seeds);
         }
         let plan = problems.finish(plan)?;
         if let Some(place) = &place {

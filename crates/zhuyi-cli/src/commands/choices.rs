@@ -88,7 +88,7 @@ impl Arguments {
         };
         for (scenario, system) in chosen.iter().flatten().flatten() {
             let scenario = std::slice::from_ref(scenario);
-            problems.look_at_starts(scenario, system, grid.root_seed, 0..grid.seeds);
+            problems.look_at_starts(scenario, system, grid.root_seed, &(0..grid.seeds));
         }
         let chosen = problems.finish(chosen)?;
         if let Some(place) = &place {

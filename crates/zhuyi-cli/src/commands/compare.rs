@@ -126,7 +126,7 @@ impl Arguments {
         let comparison = comparison();
         if let Some(asked) = &comparison {
             let (root, seeds) = (asked.root_seed, 0..asked.seeds);
-            problems.look_at_starts(&asked.scenarios, &asked.system, root, seeds);
+            problems.look_at_starts(&asked.scenarios, &asked.system, root, &seeds);
         }
         let comparison = problems.finish(comparison)?;
         if let Some(place) = &place {

@@ -151,7 +151,7 @@ impl Grid {
 
     /// Notes the scenarios whose actors cannot start with one of so many seeds.
     pub fn look_at_starts(&self, seeds: u64, problems: &mut Problems) {
-        problems.look_at_starts(&self.scenarios, &self.system, self.root_seed, 0..seeds);
+        problems.look_at_starts(&self.scenarios, &self.system, self.root_seed, &(0..seeds));
     }
 
     /// What stays the same over all drives.

@@ -205,7 +205,7 @@ impl Arguments {
         if let Some(run) = &run {
             let scenario = std::slice::from_ref(&run.scenario);
             let seed = run.seed..=run.seed;
-            problems.look_at_starts(scenario, &run.system, run.root_seed, seed);
+            problems.look_at_starts(scenario, &run.system, run.root_seed, &seed);
         }
         problems.finish(run)
     }

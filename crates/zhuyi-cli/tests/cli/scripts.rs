@@ -155,7 +155,7 @@ fn regress_a_run_notes_what_its_actors_did() {
     let line = "Note: `slow` and `fast` drive through each other from 2.";
     assert!(text.contains(line), "{text}");
     assert!(
-        text.contains("Note: `ego` is past the end of the road from 4.88 to 5.99 s."),
+        text.contains("Note: `ego` is past the end of the road from 4.89 to 5.99 s."),
         "{text}"
     );
     let document = json(&bench.out("run ghost.ron --json --report drive.html"));
