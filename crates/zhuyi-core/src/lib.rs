@@ -23,6 +23,7 @@ pub mod geometry;
 pub mod idm;
 pub mod lane_change;
 pub mod lane_frame;
+pub mod occlusion;
 pub mod road;
 pub mod scene;
 pub mod time;

@@ -39,12 +39,13 @@
 mod edges;
 mod outline;
 
+use zhuyi_core::occlusion::Outline;
 use zhuyi_core::{Across, Along, Body, Camera, Footprint, Pose};
 
 use crate::demand::Answers;
 use crate::{Demand, Ego, Estimator, Future, Watch};
 pub use edges::Phantoms;
-use outline::{Outline, concerns};
+use outline::concerns;
 
 /// [m] how far apart places are looked at.
 pub const STEP: f64 = 1.0;
@@ -259,5 +260,6 @@ pub fn visible_share(
     bodies: &[Body],
 ) -> f64 {
     let eye = camera.pose(ego);
-    Outline::new(eye, footprint, pose).visible_share(eye, camera.fov, bodies)
+    let outline = Outline::new(eye, footprint, pose);
+    outline::visible_share(&outline, (footprint, pose), (eye, camera.fov), bodies)
 }

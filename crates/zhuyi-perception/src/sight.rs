@@ -1,24 +1,9 @@
 //! What a camera can see: angular widths, and who hides whom.
 //!
-//! ```text
-//! share = (width - |hidden|) / min(width, fov)
-//! ```
-//!
-//! | symbol | meaning | unit |
-//! |---|---|---|
-//! | width | angle under which the camera sees the body's box, corner to corner | rad |
-//! | hidden | the part of that angle that lies outside the field of view or behind a nearer body; overlaps count once | rad |
-//! | fov | full field of view; a body wider than that and cut by nothing else is seen whole | rad |
-//!
-//! A body is visible when its share is positive and at least the one asked for, and the point of its box nearest to
-//! the camera is within range (reading R17). Of two boxes that overlap in angle the nearer is the one that a ray
-//! through the middle of the overlap enters first: disjoint convex bodies have the same order on every ray that meets
-//! both, since a line separates them. The ego does not hide its own view. A camera inside a box sees that box alone.
-//!
-//! Leaves out heights (nothing is seen over or under another body) and the vertical field of view.
+//! A body is visible when its share ([`zhuyi_core::occlusion`]) is positive and at least the one asked for, and the point
+//! of its box nearest to the camera is within range (reading R17).
 
-use std::f64::consts::{PI, TAU};
-use zhuyi_core::geometry::wrap_angle;
+use zhuyi_core::occlusion::Outline;
 use zhuyi_core::{ActorId, Axes, Camera, Footprint, Pose, Scene};
 
 use crate::silhouette::{self, Field, Silhouette};
@@ -43,7 +28,8 @@ pub struct View {
     silhouettes: Vec<Silhouette>,
     /// Of the boxes that have been asked for, with their places.
     outlines: Vec<(usize, Outline)>,
-    shadows: Vec<(f64, f64)>,
+    /// Of those that may hide the one asked for.
+    hiders: Vec<Outline>,
 }
 
 impl View {
@@ -53,8 +39,7 @@ impl View {
             boxes: Vec::with_capacity(boxes),
             silhouettes: Vec::with_capacity(boxes),
             outlines: Vec::with_capacity(boxes),
-            // Up to three of every other box, and three of the edge of the field.
-            shadows: Vec::with_capacity(3 * boxes),
+            hiders: Vec::with_capacity(boxes),
             ..Self::default()
         }
     }
@@ -148,7 +133,7 @@ impl View {
         if least_share > 0.0 {
             self.share(which) >= least_share
         } else {
-            body.bearing + body.right < self.fov / 2.0 && body.bearing + body.left > -self.fov / 2.0
+            body.in_view(self.fov)
         }
     }
 
@@ -168,123 +153,18 @@ impl View {
     /// [-] the visible share of the box at this place, in range or not.
     pub fn share(&mut self, which: usize) -> f64 {
         let body = self.outline(which);
-        let width = body.left - body.right;
-        let half_fov = self.fov / 2.0;
-        self.shadows.clear();
-        self.shadows
-            .extend(body.overlaps((half_fov - body.bearing, TAU - half_fov - body.bearing)));
-        if self.shadows.iter().any(|(from, to)| to - from >= width) {
-            return 0.0; // out of view: who else is there does not matter
+        if !body.in_view(self.fov) {
+            return 0.0; // who else is there does not matter
         }
+        self.hiders.clear();
         for index in 0..self.boxes.len() {
-            if index == which || self.silhouettes[index].spares(&self.silhouettes[which]) {
-                continue;
+            if index != which && !self.silhouettes[index].spares(&self.silhouettes[which]) {
+                let other = self.outline(index);
+                self.hiders.push(other);
             }
-            let other = self.outline(index);
-            let offset = other.bearing - body.bearing;
-            let overlaps = body.overlaps((offset + other.right, offset + other.left));
-            self.shadows.extend(overlaps.filter(|&(from, to)| {
-                let ray = body.bearing + f64::midpoint(from, to);
-                other.entry(ray) < body.entry(ray)
-            }));
         }
-        (width - covered(&mut self.shadows)) / width.min(self.fov)
+        body.visible_share(self.fov, || self.hiders.iter().copied())
     }
-}
-
-/// A box as seen by an eye. Angles are counted counter-clockwise, bearings from the eye's heading.
-#[derive(Clone, Copy, Debug)]
-struct Outline {
-    bearing: f64,
-    /// Angle from the bearing to the rightmost corner, negative ...
-    right: f64,
-    /// ... and to the leftmost, positive.
-    left: f64,
-    /// Distance to the nearest point of the box.
-    distance: f64,
-    /// The eye in the frame of the box ...
-    eye: [f64; 2],
-    /// ... and its heading there.
-    heading: f64,
-    half_size: [f64; 2],
-}
-
-impl Outline {
-    fn new(eye: Pose, footprint: Footprint, pose: Pose) -> Self {
-        let (x, y) = pose.local(eye.point());
-        let heading = eye.heading - pose.heading;
-        let [l, w] = [footprint.length / 2.0, footprint.width / 2.0];
-        let distance = libm::hypot((x.abs() - l).max(0.0), (y.abs() - w).max(0.0));
-        let (bearing, right, left) = if distance > 0.0 {
-            // The box spans less than half a turn: of two of its points the one to the right is told by a product.
-            let centre = (-x, -y);
-            let (mut rightmost, mut leftmost) = (centre, centre);
-            for (a, b) in [(l, w), (l, -w), (-l, -w), (-l, w)] {
-                let corner = (a - x, b - y);
-                if cross(rightmost, corner) < 0.0 {
-                    rightmost = corner;
-                }
-                if cross(leftmost, corner) > 0.0 {
-                    leftmost = corner;
-                }
-            }
-            let bearing = wrap_angle(libm::atan2(centre.1, centre.0) - heading);
-            (bearing, turn(centre, rightmost), turn(centre, leftmost))
-        } else {
-            (0.0, -PI, PI)
-        };
-        Self {
-            bearing,
-            right,
-            left,
-            distance,
-            eye: [x, y],
-            heading,
-            half_size: [l, w],
-        }
-    }
-
-    /// The parts of the angle `(from, to)` that fall on this box, all counted from its bearing. `from` and `to` may be
-    /// off by whole turns, and what reaches around the back may fall on it twice.
-    fn overlaps(self, (from, to): (f64, f64)) -> impl Iterator<Item = (f64, f64)> {
-        [-TAU, 0.0, TAU]
-            .into_iter()
-            .map(move |turn| ((from + turn).max(self.right), (to + turn).min(self.left)))
-            .filter(|(from, to)| from < to)
-    }
-
-    /// Distance at which a ray at a bearing enters the box, for a ray that meets it (slab test).
-    fn entry(&self, bearing: f64) -> f64 {
-        let (sin, cos) = libm::sincos(self.heading + bearing);
-        let [x, y] = self.eye;
-        let [half_length, half_width] = self.half_size;
-        let lengthwise = (-half_length.copysign(cos) - x) / cos;
-        let sideways = (-half_width.copysign(sin) - y) / sin;
-        lengthwise.max(sideways).max(0.0)
-    }
-}
-
-fn cross(a: (f64, f64), b: (f64, f64)) -> f64 {
-    a.0 * b.1 - a.1 * b.0
-}
-
-/// The angle from one direction to another, counter-clockwise.
-fn turn(from: (f64, f64), to: (f64, f64)) -> f64 {
-    libm::atan2(cross(from, to), from.0 * to.0 + from.1 * to.1)
-}
-
-/// The length of the union of some intervals.
-fn covered(intervals: &mut [(f64, f64)]) -> f64 {
-    intervals.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-    let mut total = 0.0;
-    let mut end = f64::NEG_INFINITY;
-    for &(from, to) in &*intervals {
-        if to > end {
-            total += to - from.max(end);
-            end = to;
-        }
-    }
-    total
 }
 
 #[cfg(test)]

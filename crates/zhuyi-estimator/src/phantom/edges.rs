@@ -18,7 +18,7 @@
 
 use zhuyi_core::{Body, Camera, Pose};
 
-use super::outline::{concerns, in_sight};
+use super::outline::{concerns, in_sight, visible_share};
 use super::{EXACT, Phantom, PhantomParams, STEP, Surroundings};
 use crate::Watch;
 
@@ -167,9 +167,11 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
         let pose = (self.around.path)(s);
         self.rig.iter().any(|Watch { camera, .. }| {
             let eye = camera.pose(self.around.ego.pose);
-            let phantom = in_sight(camera, eye, self.params.footprint, pose);
+            let footprint = self.params.footprint;
+            let phantom = in_sight(camera, eye, footprint, pose);
             phantom.is_some_and(|phantom| {
-                phantom.visible_share(eye, camera.fov, self.around.bodies)
+                let (placed, view) = ((footprint, pose), (eye, camera.fov));
+                visible_share(&phantom, placed, view, self.around.bodies)
                     >= self.params.visible_share
             })
         })

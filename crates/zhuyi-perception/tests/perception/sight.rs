@@ -35,6 +35,19 @@ fn hand_a_car_right_behind_another_is_hidden() {
 }
 
 #[test]
+fn regress_a_wide_field_sees_what_reaches_into_it_over_its_back() {
+    // All but 45 degrees behind are in view. A car 10 to 14 m behind there comes in where its side is 10 tan(22.5 degrees)
+    // = 4.142 m to the left or the right.
+    let wide = camera(0.0, 315.0);
+    for (y, seen) in [(3.1, false), (3.2, true), (-3.1, false), (-3.2, true)] {
+        let mut view = View::default();
+        view.look(&wide, &scene(vec![body(-12.0, y, 0.0)]));
+        assert_eq!(view.sees(0, 0.0), seen, "{y}");
+        assert_eq!(view.share(0) > 0.0, seen, "{y}");
+    }
+}
+
+#[test]
 fn hand_half_a_car_appears_where_its_bisector_meets_the_corner_of_the_one_before_it() {
     // The lead's rear left corner is at (8, 1). Behind it a car at (20, y) spans from atan((y-1)/22), its front right
     // corner, to atan((y+1)/18). The bisector lies on the lead's corner when the sum of both is 2 atan(1/8), of
