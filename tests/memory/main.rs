@@ -76,7 +76,9 @@ fn law_a_million_runs_take_no_more_memory_than_a_thousand() {
     }
     let driven = most_resident().unwrap_or(0);
     let mut made = 0;
-    folder.finish(&mut |_, _, _, _| made += 1).expect("all blocks");
+    folder
+        .finish(&mut |_, _, _, _| made += 1)
+        .expect("all blocks");
     let last = most_resident().unwrap_or(0);
     println!(
         "{made} runs of {duration} s in {:.0} s: {first} KiB after the first thousand, {driven} KiB after the last, {last} KiB with the table",

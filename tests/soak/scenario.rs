@@ -1,6 +1,9 @@
 //! The text of a random scenario, as a user might write it: most are valid, and the reader tells which.
 
+use std::f64::consts::PI;
 use std::fmt::Write;
+
+use zhuyi_core::{Pose, RoadError, Segment};
 
 use crate::draw::Draw;
 
@@ -16,6 +19,8 @@ struct Road {
     lanes: u32,
     width: f64,
     segments: String,
+    /// Its field of a file, where it is closed.
+    closed: &'static str,
     length: f64,
 }
 
@@ -29,9 +34,9 @@ pub fn text(draw: &mut Draw) -> String {
     let speed = draw.number((5.0, 35.0), SPEED.1);
     let count = draw.number((0.0, 5.0), (0.0, 12.0)) as usize;
     let mut text = format!(
-        "(title: \"drawn\", road: (lanes: {}, lane_width_m: {}, segments: [{}]),\n \
+        "(title: \"drawn\", road: (lanes: {}, lane_width_m: {}, segments: [{}]{}),\n \
          ego: (lane: {lane}, s_m: {start}, speed_mps: {speed}), duration_s: {duration},\n actors: [\n",
-        road.lanes, road.width, road.segments
+        road.lanes, road.width, road.segments, road.closed
     );
     for index in 0..count {
         let of = Actor {
@@ -48,42 +53,93 @@ pub fn text(draw: &mut Draw) -> String {
     text + "])"
 }
 
+/// A road that does not lie over itself: drawn again until it does not; one in ten a ring.
 fn road(draw: &mut Draw) -> Road {
     let lanes = draw.number((1.0, 5.0), (1.0, 12.0)) as u32;
     let width = draw.number((2.8, 4.0), (2.0, 6.0));
-    let mut road = Road {
-        lanes,
-        width,
-        segments: String::new(),
-        length: 0.0,
+    if draw.chance(10) {
+        return ring(draw, lanes, width);
+    }
+    loop {
+        let segments = segments(draw, lanes, width);
+        let road = zhuyi_core::Road::new(Pose::default(), &segments, lanes as u8, width);
+        // Other rules are the reader's to tell.
+        if !matches!(road, Err(RoadError::Itself { .. })) {
+            return Road::of(&segments, lanes, width, "");
+        }
+    }
+}
+
+/// Two straights and two half circles.
+fn ring(draw: &mut Draw, lanes: u32, width: f64) -> Road {
+    let tightest = (f64::from(lanes) * width / 2.0 + 1.0).max(5.0);
+    let radius = draw
+        .number((60.0, 300.0), (tightest, 2_000.0))
+        .max(tightest);
+    let bend = Segment::Arc {
+        length: PI * radius,
+        curvature: draw.one(&[-1.0, 1.0]) / radius,
     };
+    let line = Segment::Line {
+        length: draw.number((50.0, 400.0), (0.01, 2_000.0)),
+    };
+    Road::of(&[line, bend, line, bend], lanes, width, ", closed: true")
+}
+
+fn segments(draw: &mut Draw, lanes: u32, width: f64) -> Vec<Segment> {
     // No lane may reach the centre of a bend.
     let tightest = f64::from(lanes) * width / 2.0 + 1.0;
     let bend = |draw: &mut Draw| {
         let radius = draw.number((60.0, 1_500.0), (tightest.max(5.0), 10_000.0));
         draw.one(&[-1.0, 1.0]) * radius.max(tightest)
     };
-    for _ in 0..draw.whole(1, 4) {
+    let count = draw.whole(1, 4);
+    let segment = |_| {
         let length = draw.number((50.0, 900.0), (0.01, 5_000.0));
-        road.length += length;
-        let _ = match draw.whole(0, 4) {
-            0..3 => write!(road.segments, "Line(length_m: {length}), "),
-            3 => write!(
-                road.segments,
-                "Arc(length_m: {length}, radius_m: {}), ",
-                bend(draw)
-            ),
+        match draw.whole(0, 4) {
+            0..3 => Segment::Line { length },
+            3 => Segment::Arc {
+                length,
+                curvature: bend(draw).recip(),
+            },
             _ => {
                 let (start, end) = (bend(draw).recip(), bend(draw).recip());
                 let start = if draw.chance(50) { 0.0 } else { start };
-                write!(
-                    road.segments,
-                    "Clothoid(length_m: {length}, start_curvature_per_m: {start}, end_curvature_per_m: {end}), "
-                )
+                Segment::Clothoid { length, start, end }
             }
+        }
+    };
+    (0..count).map(segment).collect()
+}
+
+impl Road {
+    fn of(segments: &[Segment], lanes: u32, width: f64, closed: &'static str) -> Self {
+        let mut road = Self {
+            lanes,
+            width,
+            segments: String::new(),
+            closed,
+            length: 0.0,
         };
+        for segment in segments {
+            let (length, text) = match *segment {
+                Segment::Line { length } => (length, format!("Line(length_m: {length}), ")),
+                Segment::Arc { length, curvature } => (
+                    length,
+                    format!("Arc(length_m: {length}, radius_m: {}), ", curvature.recip()),
+                ),
+                Segment::Clothoid { length, start, end } => (
+                    length,
+                    format!(
+                        "Clothoid(length_m: {length}, start_curvature_per_m: {start}, end_curvature_per_m: {end}), "
+                    ),
+                ),
+            };
+            road.length += length;
+            road.segments += &text;
+        }
+        road
     }
-    road
 }
 
 /// What an actor is drawn among.

@@ -9,6 +9,7 @@
 //! | a run ends | it has a row for each step up to its duration or its contact |
 //! | the estimate answers | each demand is a positive finite rate |
 
+use zhuyi_core::geometry::wrap_angle;
 use zhuyi_core::{Body, Footprint, Frenet, Pose, Road, SimTime};
 use zhuyi_estimator::Estimator;
 use zhuyi_scenario::{Scenario, System};
@@ -229,7 +230,8 @@ fn turning(run: &Run, road: &Road, place: usize) -> f64 {
     let last = run.trace.len() - 1;
     let (before, now) = (body(last.saturating_sub(1)), body(last));
     let turn = (now.pose.heading - before.pose.heading).abs();
-    let askew = (now.pose.heading - road.heading(now.road.s)).abs();
+    // On a ring the box may have turned by laps more or fewer.
+    let askew = wrap_angle(now.pose.heading - road.heading(now.road.s)).abs();
     (2.0 * turn).max(askew) * now.footprint.length.hypot(now.footprint.width) / 2.0
 }
 

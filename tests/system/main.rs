@@ -9,6 +9,7 @@
 //! | `processors` | the same run gives the same bits whatever instructions the processor has |
 //! | `physics` | nothing reverses, jumps or passes through anything in any of the nine |
 //! | `knowledge` | the planner acts on confirmed tracks alone |
+//! | `rings` | closed roads: a car that stands on one is braked for as on a straight road, laps change nothing |
 //! | `scheduling` | every policy drives within its budget; the estimate in the loop |
 //!
 //! The command itself is tested in `crates/zhuyi-cli/tests`, where Cargo hands over the real binary.
@@ -22,6 +23,7 @@ mod knowledge;
 mod physics;
 mod processors;
 mod repeatable;
+mod rings;
 mod scheduling;
 
 use zhuyi_core::FrameRates;

@@ -114,7 +114,8 @@ fn vehicles<'a>(scenario: &'a Scenario, system: &System) -> Vec<Vehicle<'a>> {
         let at = Start::of(actor, &ego, &system.vehicle);
         let mark = if at.speed > 0.0 { '=' } else { '#' };
         let name = actor.name.as_str();
-        vehicle(name, actor.start.lane, at.s, actor.footprint.length, mark)
+        let s = scenario.road.nearest_lap(at.s, start.s);
+        vehicle(name, actor.start.lane, s, actor.footprint.length, mark)
     }));
     vehicles.sort_by(|one, other| one.rear.total_cmp(&other.rear));
     vehicles

@@ -53,5 +53,5 @@ pub use consistency::{Consistency, Disagreement};
 pub use evaluation::{Answer, Answers, Evaluation, evaluate, evaluate_with_criticality};
 pub use invalid::{Invalid, Rule, Violation};
 pub use log::{Log, Row, Step, Vehicle};
-pub use replay::{Actor, Moment, Replay};
+pub use replay::{Actor, Moment, Replay, places_on};
 pub use summary::{Peak, Summary};

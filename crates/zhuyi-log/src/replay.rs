@@ -16,6 +16,10 @@
 //! missing in between; behind the last one it keeps its speed and offset (reading R10). Before its first row and where
 //! it is missing it is nobody's business: it has no estimate there.
 //!
+//! On a road a vehicle's first row is at the place nearest to it, every later one at the one found by continuity, from where
+//! its speed has taken it since the row before: beside a hairpin another part of the road may be nearer. On a ring the places
+//! count on over the laps, and an actor is told in the lap in which it is nearest to the ego at t_0.
+//!
 //! Speeds and accelerations are those of the file, not differences of positions. An ego that reverses counts as standing:
 //! the model knows no reversing (reading R2). Boxes are those of the file, of the ego too.
 //!
@@ -39,6 +43,8 @@ pub struct Replay<'a> {
     ego: ActorId,
     lane: Lane<'a>,
     horizon: f64,
+    /// The ego at each of its rows, where the frame is that of a road.
+    places: Vec<Frenet>,
     /// One per vehicle; none where nothing can be said ahead of time, as for the ego.
     tracks: Vec<Option<Track>>,
 }
@@ -95,21 +101,43 @@ enum Frame<'a> {
 impl Frame<'_> {
     fn foot(&self, point: Point, hint: Option<f64>) -> Foot {
         match self {
-            Self::Road(road) => on_road(road, point),
+            Self::Road(road) => on_road(road, road.road_from_world(point)),
             Self::Path(ahead) => ahead.foot(point, hint),
             Self::Straight(straight) => straight.foot(point),
         }
     }
 }
 
-fn on_road(road: &Road, point: Point) -> Foot {
-    let Frenet { s, d } = road.road_from_world(point);
+fn on_road(road: &Road, Frenet { s, d }: Frenet) -> Foot {
     let (sin, cos) = libm::sincos(road.heading(s));
     Foot {
         s,
         d,
         direction: (cos, sin),
     }
+}
+
+/// The places of a vehicle's rows on a road, each found by continuity from the one before it.
+pub fn places_on<'a>(
+    road: &'a Road,
+    log: &'a Log,
+    vehicle: &'a Vehicle,
+) -> impl Iterator<Item = Frenet> + 'a {
+    let mut before: Option<(&Row, Frenet)> = None;
+    vehicle.rows.iter().map(move |row| {
+        let point = row.pose.point();
+        let place = before.map_or_else(
+            || road.road_from_world(point),
+            |(before, place)| {
+                let elapsed = log.steps[row.step].time - log.steps[before.step].time;
+                let foot = on_road(road, place);
+                let (along, _) = foot.along_across(before.speed, before.pose.heading);
+                road.road_from_world_near(point, place.s + along * elapsed)
+            },
+        );
+        before = Some((row, place));
+        place
+    })
 }
 
 impl<'a> Replay<'a> {
@@ -124,6 +152,10 @@ impl<'a> Replay<'a> {
             others.then(|| Track::new(log, vehicle, &frame))
         };
         Self {
+            places: match road {
+                Some(road) => places_on(road, log, log.vehicle(ego)).collect(),
+                None => Vec::new(),
+            },
             tracks: log.vehicles.iter().enumerate().map(track).collect(),
             log,
             ego,
@@ -159,10 +191,7 @@ impl<'a> Replay<'a> {
         let row = self.log.vehicle(self.ego).rows[ego_row];
         let frame = self.lane.frame(ego_row);
         let (s, d) = match &frame {
-            Frame::Road(road) => {
-                let Frenet { s, d } = road.road_from_world(row.pose.point());
-                (s, d)
-            }
+            Frame::Road(_) => (self.places[ego_row].s, self.places[ego_row].d),
             Frame::Path(ahead) => (ahead.s(), 0.0),
             Frame::Straight(straight) => (straight.s(), 0.0),
         };
@@ -180,20 +209,31 @@ impl<'a> Replay<'a> {
             },
             pose: row.pose,
             actors: actors
-                .filter_map(|(place, _)| self.actor(&frame, ActorId(place as u32), row.step))
+                .filter_map(|(place, _)| self.actor(&frame, ActorId(place as u32), row.step, s))
                 .collect(),
         }
     }
 
-    /// A vehicle that is there at a step.
-    fn actor(&self, frame: &Frame<'_>, id: ActorId, step: usize) -> Option<Actor<'_>> {
+    /// A vehicle that is there at a step, at which the ego is at `ego_s` [m].
+    fn actor(&self, frame: &Frame<'_>, id: ActorId, step: usize, ego_s: f64) -> Option<Actor<'_>> {
         let vehicle = self.log.vehicle(id);
         let first = vehicle.row_at(step)?;
         let track = self.tracks[id.index()].as_ref();
+        // [m] laps from the place at which the vehicle was found to where it is nearest to the ego: none but on a ring.
+        let laps = match (frame, track) {
+            (Frame::Road(road), Some(track)) => {
+                let there = track.feet[first].s;
+                road.nearest_lap(there, ego_s) - there
+            }
+            _ => 0.0,
+        };
         let known = |row: usize| {
-            let foot = track.map(|track| track.feet[row])?;
+            let mut foot = track.map(|track| track.feet[row])?;
             match frame {
-                Frame::Road(_) => Some(foot),
+                Frame::Road(_) => {
+                    foot.s += laps;
+                    Some(foot)
+                }
                 Frame::Path(ahead) => {
                     let point = vehicle.rows[row].pose.point();
                     ahead.shares(&foot, point).then_some(foot)
@@ -207,7 +247,7 @@ impl<'a> Replay<'a> {
         let count = vehicle.rows[first..].partition_point(within) + 1;
         let rows = first..(first + count).min(vehicle.rows.len());
         let future = match track {
-            Some(track) if rows.clone().all(|row| known(row).is_some()) => {
+            Some(track) if laps == 0.0 && rows.clone().all(|row| known(row).is_some()) => {
                 Cow::Borrowed(&track.recording)
             }
             _ => {
@@ -245,9 +285,13 @@ impl Lane<'_> {
 impl Track {
     fn new(log: &Log, vehicle: &Vehicle, frame: &Frame<'_>) -> Self {
         let mut feet: Vec<Foot> = Vec::with_capacity(vehicle.rows.len());
-        for row in &vehicle.rows {
-            let hint = feet.last().map(|foot| foot.s);
-            feet.push(frame.foot(row.pose.point(), hint));
+        if let Frame::Road(road) = frame {
+            feet.extend(places_on(road, log, vehicle).map(|place| on_road(road, place)));
+        } else {
+            for row in &vehicle.rows {
+                let hint = feet.last().map(|foot| foot.s);
+                feet.push(frame.foot(row.pose.point(), hint));
+            }
         }
         Self {
             recording: recording(log, &vehicle.rows, &feet),

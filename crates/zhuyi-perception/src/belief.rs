@@ -22,7 +22,7 @@
 
 use wide::f64x2;
 use zhuyi_core::geometry::wrap_angle;
-use zhuyi_core::{ActorId, Detection, Footprint, Frenet, SimTime, Track};
+use zhuyi_core::{ActorId, Detection, Footprint, Frenet, Road, SimTime, Track};
 
 use crate::Perception;
 use crate::axis::{Axis, LEAST_DEVIATION, Measurement};
@@ -104,6 +104,16 @@ impl Belief {
         self.axes.measure(&measurement(detection, params));
         self.heading.measure(detection.turn, elapsed, params);
         self.extent = self.footprint.turned(self.heading.mean);
+    }
+
+    /// The same belief, told in the lap of a ring in which it is nearest to `s` [m] at `time`.
+    pub fn tell_near(&mut self, s: f64, time: SimTime, road: &Road) {
+        let there = self.place(time).0.s;
+        let laps = road.nearest_lap(there, s) - there;
+        if laps != 0.0 {
+            let [position, across] = self.axes.mean.x.to_array();
+            self.axes.mean.x = f64x2::new([position + laps, across]);
+        }
     }
 
     /// The actor as believed to be at `time`; as last seen, where that is later.

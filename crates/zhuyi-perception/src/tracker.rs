@@ -110,6 +110,9 @@ impl Tracker {
         for (index, file) in self.files.iter_mut().enumerate() {
             let is_of = |found: &&Detection| found.actor.index() == index;
             if let Some(detection) = detections.next_if(is_of) {
+                if let (Some(_), Some(belief)) = (road.lap(), &mut file.belief) {
+                    belief.tell_near(detection.road.s, frame.exposed, road);
+                }
                 file.take(detection, frame.exposed, &self.params);
                 file.counts[camera].found += 1;
                 file.confirmed |= file.counts[camera].found >= eye.confirm_frames;
@@ -123,6 +126,20 @@ impl Tracker {
                 }
                 let expected = should_see(view, frame.exposed, belief, road);
                 file.miss(camera, expected, self.params.lost_frames);
+            }
+        }
+    }
+
+    /// Tells all beliefs in the laps of a ring in which they are nearest at `now` to the ego at `ego_s` [m]; does nothing on
+    /// an open road.
+    pub fn tell_near(&mut self, ego_s: f64, now: SimTime, road: &Road) {
+        if road.lap().is_some() {
+            for belief in self
+                .files
+                .iter_mut()
+                .filter_map(|file| file.belief.as_mut())
+            {
+                belief.tell_near(ego_s, now, road);
             }
         }
     }

@@ -138,8 +138,15 @@ impl Drive<'_> {
 impl Road {
     /// The lines between lanes, as far as an ego came that was at these places [m] along the road.
     pub(crate) fn along(road: &zhuyi_core::Road, places: &[f64]) -> Self {
-        let from = places.iter().copied().fold(f64::INFINITY, f64::min) - LINE_MARGIN;
-        let to = places.iter().copied().fold(f64::NEG_INFINITY, f64::max) + LINE_MARGIN;
+        let (mut from, mut to) = (f64::INFINITY, f64::NEG_INFINITY);
+        for place in places {
+            (from, to) = (from.min(*place - LINE_MARGIN), to.max(*place + LINE_MARGIN));
+        }
+        if let Some(lap) = road.lap()
+            && to - from > lap
+        {
+            (from, to) = (0.0, lap); // all round, once
+        }
         let mut points = vec![from];
         let count = ((to - from) / LINE_STEP).ceil() as usize;
         // On a straight road two points make the line.

@@ -34,6 +34,18 @@ pub enum Conflict {
         /// [m] length of the road.
         length: f64,
     },
+    /// A start more than a lap away on a closed road.
+    #[error("`{name}` would stand {way:.2} m from {from}, and a lap of the road has {lap} m")]
+    BeyondLap {
+        /// Who.
+        name: String,
+        /// [m] how far away.
+        way: f64,
+        /// Where that counts from.
+        from: &'static str,
+        /// [m] length of a lap.
+        lap: f64,
+    },
     /// Two boxes in one place at the start.
     #[error(
         "`{name}` and `{other}` would overlap at the start by {along:.3} m along and {across:.3} m across `{name}`"

@@ -97,13 +97,31 @@ impl<'a> Hindsight<'a> {
         LaneFrame::lane(self.road, row.ego.road.d)
     }
 
-    /// The ego at a row, along a lane.
-    fn ego(&self, row: &Row<'_>, lane: Lane) -> Ego {
+    /// The ego at a row, along a lane, as it meets an actor's recorded future: on a ring, where that future counts on over its
+    /// laps and a row does not, the ego in the lap in which both are nearest to each other.
+    fn ego(&self, row: &Row<'_>, lane: Lane, actor: ActorId) -> Ego {
         let frame = LaneFrame::of(self.road, lane);
         Ego {
-            s: frame.place(row.ego.road.s),
+            s: frame.place(row.ego.road.s) + self.laps(row, lane, actor),
             ..Ego::from(row.ego)
         }
+    }
+
+    /// [m] laps along a lane from where a row tells an actor to where its recorded future has it; none on an open road.
+    fn laps(&self, row: &Row<'_>, lane: Lane, actor: ActorId) -> f64 {
+        let Some(lap) = self.trace.lap() else {
+            return 0.0;
+        };
+        let frame = LaneFrame::of(self.road, lane);
+        let lap = frame.place(lap) - frame.place(0.0);
+        let told = frame.place(row.actors[actor.index()].road.s);
+        let (now, recorded) = (
+            row.time.seconds(),
+            self.futures(lane)[actor.index()].trajectory(),
+        );
+        let behind = recorded.along.partition_point(|piece| piece.time <= now);
+        let piece = &recorded.along[behind.saturating_sub(1)];
+        ((piece.s_at(now) - told) / lap).round() * lap
     }
 
     /// The recorded future of every actor along a lane.
@@ -129,7 +147,7 @@ impl<'a> Hindsight<'a> {
         current_latency: f64,
     ) -> Estimate {
         let lane = self.lane(row);
-        let ego = self.ego(row, lane);
+        let ego = self.ego(row, lane, actor);
         let (body, future) = (
             &row.actors[actor.index()],
             &self.futures(lane)[actor.index()],
@@ -140,7 +158,10 @@ impl<'a> Hindsight<'a> {
             let frame = LaneFrame::of(self.road, lane);
             let others = row.actors.iter().enumerate();
             let others = others.filter(|(place, _)| *place != actor.index());
-            let others: Vec<Body> = others.map(|(_, body)| frame.body(body)).collect();
+            let laps = self.laps(row, lane, actor);
+            let others: Vec<Body> = others
+                .map(|(_, body)| moved(frame.body(body), laps))
+                .collect();
             let half_road = f64::from(road.lanes()) * road.lane_width() / 2.0;
             let sides = evasion.free_sides(
                 estimator.params(),
@@ -167,7 +188,7 @@ impl<'a> Hindsight<'a> {
         let lane = self.lane(row);
         let recorded = self.futures(lane)[actor.index()].trajectory();
         (
-            self.ego(row, lane),
+            self.ego(row, lane, actor),
             row.actors[actor.index()].footprint,
             Future::new(recorded, row.time.seconds()),
         )
@@ -292,6 +313,12 @@ impl<'a> Hindsight<'a> {
             peaks.sum = sum;
         }
     }
+}
+
+/// A body some laps [m] on.
+fn moved(mut body: Body, laps: f64) -> Body {
+    body.road.s += laps;
+    body
 }
 
 /// What a run asked for at most.

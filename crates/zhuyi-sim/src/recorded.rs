@@ -4,7 +4,8 @@
 //! is `d`. A piece is extended as long as it meets the rows to within 1e-7 m and 1e-7 m/s, far below what any decision of the
 //! model turns on, so an actor that holds its acceleration for ten seconds is one piece, not a thousand. Half extents of a box
 //! that turns are lines that meet the rows to within 1 mm, see [`extents`]. Behind the last row an actor keeps its last speed,
-//! offset and heading (reading R10). Places and speeds are those along one lane (reading R7).
+//! offset and heading (reading R10). Places and speeds are those along one lane (reading R7). On a ring an actor's future counts
+//! on over its laps, while rows tell it in the lap nearest to the ego.
 
 use zhuyi_core::{Across, Along, Body, LaneFrame, Trajectory};
 
@@ -23,21 +24,24 @@ pub fn futures(trace: &Trace, lane: LaneFrame<'_>) -> Vec<Trajectory> {
 }
 
 fn future(trace: &Trace, actor: usize, lane: LaneFrame<'_>) -> Trajectory {
-    let along_lane = |body: &Body| {
+    let along_lane = |body: Body| {
         if lane.is_reference_line() {
-            *body
+            body
         } else {
-            lane.body(body)
+            lane.body(&body)
         }
     };
-    let course = trace.course(actor);
-    let mut rows = course.map(|(t, body)| (t.seconds(), along_lane(body)));
-    let (mut t, mut body) = rows
+    let mut rows = (trace.course(actor)).map(|(t, body)| (t.seconds(), *body));
+    let (mut t, first) = rows
         .next()
         .unwrap_or_else(|| unreachable!("a trace has at least its first row"));
+    let (mut place, mut body) = (first.road.s, along_lane(first));
     let mut along: Vec<Along> = Vec::new();
     let mut across: Vec<Across> = Vec::new();
-    for (next_t, next) in rows {
+    for (next_t, mut next) in rows {
+        next.road.s = trace.nearest_lap(next.road.s, place);
+        place = next.road.s;
+        let next = along_lane(next);
         let step = next_t - t;
         if !along
             .last()

@@ -82,7 +82,8 @@ impl<'a> Simulation<'a> {
             trace: Trace::new(
                 scenario.actors.iter().map(|a| a.name.as_str()),
                 (scenario.duration.nanos() / STEP.nanos()) as usize + 1,
-            ),
+            )
+            .round(scenario.road.lap()),
             world,
             witness: None,
         }
@@ -99,6 +100,7 @@ impl<'a> Simulation<'a> {
     /// One step of the loop. Returns the first contact of the ego, if there is one.
     pub fn tick(&mut self) -> Option<Contact> {
         let (scene, road) = (self.world.scene(), &self.scenario.road);
+        self.tracker.tell_near(scene.ego.road.s, scene.time, road);
         let tracks = self.tracker.tracks(scene.time);
         forecast(self.system.predictor, tracks, road, &mut self.forecasts);
         let planned = self.planner.plan(
@@ -190,6 +192,8 @@ impl<'a> Simulation<'a> {
     /// What the ego knows now: the time, itself by its own localisation, and the confirmed tracks.
     pub(crate) fn beliefs(&mut self) -> (SimTime, &Body, &[Track]) {
         let scene = self.world.scene();
+        self.tracker
+            .tell_near(scene.ego.road.s, scene.time, &self.scenario.road);
         (scene.time, &scene.ego, self.tracker.tracks(scene.time))
     }
 

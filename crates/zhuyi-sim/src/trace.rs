@@ -11,6 +11,8 @@ pub struct Trace {
     commands: Vec<Command>,
     /// All bodies of all rows, row after row.
     bodies: Vec<Body>,
+    /// [m] a lap of the road, if that is a ring.
+    lap: Option<f64>,
 }
 
 /// One step of a trace.
@@ -38,7 +40,25 @@ impl Trace {
             commands: Vec::with_capacity(rows),
             bodies: Vec::with_capacity(rows * names.len()),
             names,
+            lap: None,
         }
+    }
+
+    /// The same on a ring of that lap [m], on which every row tells all actors in the laps nearest to the ego.
+    #[must_use]
+    pub fn round(self, lap: Option<f64>) -> Self {
+        Self { lap, ..self }
+    }
+
+    /// [m] a lap of the road, none where that is open.
+    pub fn lap(&self) -> Option<f64> {
+        self.lap
+    }
+
+    /// [m] the place `s` in the lap of a ring in which it is nearest to `near_s`; on an open road `s`.
+    pub fn nearest_lap(&self, s: f64, near_s: f64) -> f64 {
+        self.lap
+            .map_or(s, |lap| s + ((near_s - s) / lap).round() * lap)
     }
 
     /// Adds a row.

@@ -7,7 +7,7 @@
 //! | `x_m`, `y_m`, `heading_rad` | centre and heading in the world; the heading goes on counting over full turns |
 //! | `speed_mps`, `accel_mps2` | speed and its rate of change |
 //! | `length_m`, `width_m` | the box |
-//! | `s_m`, `d_m` | centre on the road: along the reference line, to the left of it |
+//! | `s_m`, `d_m` | centre on the road: along the reference line, to the left of it; on a ring the ego's goes on counting over its laps, and the others are told in the lap nearest to it |
 //! | `lane` | lane of the centre, from 1 at the right; empty beside the road |
 //!
 //! Numbers have six decimals, so the text is as reproducible as the run. Names need no quotes: a scenario allows letters, digits,

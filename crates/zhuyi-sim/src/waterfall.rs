@@ -185,7 +185,9 @@ impl Waterfall {
             gap: row.map(|row| other(&row).rear() - row.ego.front()),
             actor_metres: row.zip(last).map(|(row, last)| {
                 let rest = (collision.time - last.time).seconds();
-                other(&last).road.s - other(&row).road.s + other(&last).s_rate * rest
+                let from = other(&row).road.s;
+                let to = run.trace.nearest_lap(other(&last).road.s, from);
+                to - from + other(&last).s_rate * rest
             }),
         })
     }

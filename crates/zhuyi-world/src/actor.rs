@@ -86,7 +86,7 @@ impl Mover {
         while let Some(next) = actor
             .manoeuvres
             .get(self.begun)
-            .filter(|m| due(m, me, scene, time))
+            .filter(|m| due(m, me, road, scene, time))
         {
             let now = SimTime::from_seconds(time);
             self.log.begin(self.begun, next.then, now);
@@ -94,7 +94,7 @@ impl Mover {
             self.begin(next.then, road);
         }
         let wanted = match self.drive {
-            Drive::Behave(behaviour) => behaviour_accel(behaviour, me, self.speed, scene),
+            Drive::Behave(behaviour) => behaviour_accel(behaviour, me, self.speed, road, scene),
             Drive::Reach { speed, accel } => ((speed - self.speed) / dt).clamp(-accel, accel),
             Drive::Brake { decel } => -decel,
         };
@@ -138,9 +138,9 @@ impl Mover {
         }
     }
 
-    /// Moves on by `dt` seconds, at whose end its [`Mover::body`] is at `s` [m].
-    pub fn arrive(&mut self, s: f64, dt: f64) {
-        self.s = s;
+    /// Moves on by `dt` seconds, at whose end its [`Mover::body`] is at `s` [m], on a ring in any lap.
+    pub fn arrive(&mut self, s: f64, road: &Road, dt: f64) {
+        self.s = road.nearest_lap(s, self.s);
         self.moving = self.moving_after(dt);
         if self.settled.is_none() {
             self.settled = self.lane_change.settled(self.moving);
@@ -206,7 +206,7 @@ fn pace(along: f64) -> f64 {
 }
 
 /// Whether a manoeuvre's trigger fires.
-fn due(manoeuvre: &Manoeuvre, me: &Body, scene: &Scene, time: f64) -> bool {
+fn due(manoeuvre: &Manoeuvre, me: &Body, road: &Road, scene: &Scene, time: f64) -> bool {
     let ego = &scene.ego;
     let gap = (me.rear() - ego.front()).max(ego.rear() - me.front());
     match manoeuvre.when {
@@ -214,7 +214,8 @@ fn due(manoeuvre: &Manoeuvre, me: &Body, scene: &Scene, time: f64) -> bool {
         Trigger::Time(at) => time >= at - 5e-10,
         Trigger::GapToEgo(at) => gap <= at,
         Trigger::DistanceTo { actor, distance } => {
-            (scene.actors[actor.index()].road.s - me.road.s).abs() <= distance
+            let other = scene.actors[actor.index()].road.s;
+            road.ahead(me.road.s, other).abs() <= distance
         }
         Trigger::TimeToCollision(at) => {
             let closing = if me.road.s >= ego.road.s {
@@ -229,11 +230,11 @@ fn due(manoeuvre: &Manoeuvre, me: &Body, scene: &Scene, time: f64) -> bool {
 }
 
 /// [m/s2] the acceleration that a behaviour asks for; `v` is the actor's speed along its lane.
-fn behaviour_accel(behaviour: Behaviour, me: &Body, v: f64, scene: &Scene) -> f64 {
+fn behaviour_accel(behaviour: Behaviour, me: &Body, v: f64, road: &Road, scene: &Scene) -> f64 {
     match behaviour {
         Behaviour::Obstacle | Behaviour::Cruise => 0.0,
         Behaviour::Follow { driver, max_decel } => driver
-            .improved_accel(v, leader(me, scene))
+            .improved_accel(v, leader(me, road, scene))
             .clamp(-max_decel, driver.max_accel),
         Behaviour::HoldBeside(Station {
             offset,
@@ -247,20 +248,28 @@ fn behaviour_accel(behaviour: Behaviour, me: &Body, v: f64, scene: &Scene) -> f6
     }
 }
 
-/// The nearest body ahead whose side-to-side extent overlaps the actor's.
-fn leader(me: &Body, scene: &Scene) -> Option<Leader> {
+/// The nearest body ahead whose side-to-side extent overlaps the actor's; on a ring all others are ahead of it, each once a lap.
+fn leader(me: &Body, road: &Road, scene: &Scene) -> Option<Leader> {
     // The actor is not ahead of itself.
-    let mut nearest: Option<&Body> = None;
+    let mut nearest: Option<(f64, &Body)> = None;
     for other in scene.actors.iter().chain(std::iter::once(&scene.ego)) {
-        if other.road.s > me.road.s
+        let laps = met_laps(me, other, road);
+        let rear = other.rear() + laps;
+        if other.road.s + laps > me.road.s
             && other.overlaps_sideways(me)
-            && nearest.is_none_or(|nearest| other.rear() < nearest.rear())
+            && nearest.is_none_or(|(nearest, _)| rear < nearest)
         {
-            nearest = Some(other);
+            nearest = Some((rear, other));
         }
     }
-    nearest.map(|other| Leader {
-        gap: (other.rear() - me.front()).max(0.1),
+    nearest.map(|(rear, other)| Leader {
+        gap: (rear - me.front()).max(0.1),
         speed: other.s_rate,
     })
+}
+
+/// [m] laps from where another body stands in the scene to where the actor next comes up to it: none on an open road.
+fn met_laps(me: &Body, other: &Body, road: &Road) -> f64 {
+    road.lap()
+        .map_or(0.0, |lap| ((me.road.s - other.road.s) / lap).ceil() * lap)
 }

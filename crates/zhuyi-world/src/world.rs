@@ -72,7 +72,7 @@ impl<'a> World<'a> {
         let bodies = actors
             .iter()
             .zip(&movers)
-            .map(|(a, m)| m.body(a.footprint, road, 0.0))
+            .map(|(a, m)| beside(ego.road.s, m.body(a.footprint, road, 0.0), road))
             .collect();
         let turn = vehicle.turn(ego.steering);
         let scene = Scene {
@@ -120,7 +120,7 @@ impl<'a> World<'a> {
         self.ego_now = self.ego_at(self.now);
         std::mem::swap(&mut self.previous, &mut self.scene);
         let mut actors = std::mem::take(&mut self.scene.actors);
-        self.fill(self.now, &mut actors);
+        self.fill(self.now, &self.ego_now, &mut actors);
         self.scene = Scene {
             time: self.now,
             ego: self.ego_now.body(self.vehicle, self.turn, self.road),
@@ -147,7 +147,7 @@ impl<'a> World<'a> {
         if dt > 0.0 {
             self.ego = self.ego_now;
             for (mover, body) in self.movers.iter_mut().zip(&self.scene.actors) {
-                mover.arrive(body.road.s, dt);
+                mover.arrive(body.road.s, self.road, dt);
             }
         }
         self.before = self.now;
@@ -158,14 +158,14 @@ impl<'a> World<'a> {
         self.ego.advanced(self.turn, self.road, elapsed)
     }
 
-    fn fill(&self, time: SimTime, bodies: &mut Vec<Body>) {
+    fn fill(&self, time: SimTime, ego: &Ego, bodies: &mut Vec<Body>) {
         let dt = (time - self.before).seconds();
         bodies.clear();
         bodies.extend(
             self.actors
                 .iter()
                 .zip(&self.movers)
-                .map(|(a, m)| m.body(a.footprint, self.road, dt)),
+                .map(|(a, m)| beside(ego.road.s, m.body(a.footprint, self.road, dt), self.road)),
         );
     }
 
@@ -177,7 +177,11 @@ impl<'a> World<'a> {
     /// An actor at an instant of the last step.
     pub fn actor_at(&self, actor: usize, time: SimTime) -> Body {
         let dt = (time - self.before).seconds();
-        self.movers[actor].body(self.actors[actor].footprint, self.road, dt)
+        let body = self.movers[actor].body(self.actors[actor].footprint, self.road, dt);
+        if self.road.lap().is_none() {
+            return body;
+        }
+        beside(self.ego_at(time).road.s, body, self.road)
     }
 
     /// The box of an actor, and about where it is during the last step: a point, and how far from it [m] its centre is at most.
@@ -191,9 +195,10 @@ impl<'a> World<'a> {
 
     /// The truth at an instant of the last step, written into `scene`.
     pub fn scene_at(&self, time: SimTime, scene: &mut Scene) {
+        let ego = self.ego_at(time);
         scene.time = time;
-        scene.ego = self.ego_at(time).body(self.vehicle, self.turn, self.road);
-        self.fill(time, &mut scene.actors);
+        scene.ego = ego.body(self.vehicle, self.turn, self.road);
+        self.fill(time, &ego, &mut scene.actors);
     }
 
     fn contact(&self) -> Option<Contact> {
@@ -273,6 +278,13 @@ impl<'a> World<'a> {
         ));
         crash(&bodies, contact)
     }
+}
+
+/// A body in the lap in which it is nearest to the ego's `s` [m].
+#[inline]
+fn beside(ego_s: f64, mut body: Body, road: &Road) -> Body {
+    body.road.s = road.nearest_lap(body.road.s, ego_s);
+    body
 }
 
 /// [m/s] a speed along a heading, in the world.

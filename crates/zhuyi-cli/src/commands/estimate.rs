@@ -11,7 +11,7 @@ use zhuyi_estimator::criticality::Limits;
 use zhuyi_estimator::{Criterion, Estimator, Solver, Watch};
 use zhuyi_log::files::{actors_csv, cameras_csv, criticality_csv, egos_csv};
 use zhuyi_log::{
-    Consistency, Evaluation, Log, Replay, Summary, evaluate, evaluate_with_criticality,
+    Consistency, Evaluation, Log, Replay, Summary, evaluate, evaluate_with_criticality, places_on,
 };
 use zhuyi_scenario::{Kind, Setting, System};
 
@@ -130,8 +130,8 @@ struct BesideRoad {
 
 impl BesideRoad {
     fn new(log: &Log, ego: ActorId, road: &Road) -> Self {
-        let offsets = log.vehicle(ego).rows.iter();
-        let offsets = offsets.map(|row| road.road_from_world(row.pose.point()).d);
+        let offsets = places_on(road, log, log.vehicle(ego));
+        let offsets = offsets.map(|place| place.d);
         let beside: Vec<f64> = offsets.filter(|d| road.lane_at(*d).is_none()).collect();
         Self {
             rows: beside.len(),

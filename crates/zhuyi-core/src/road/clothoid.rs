@@ -32,6 +32,9 @@ const TURN_PER_KNOT: f64 = 0.5;
 /// get there, and nearest points are ill-defined there.
 const FINEST: f64 = 1.0 / 65_536.0;
 
+/// Steps downhill after which a point counts as lying at a centre of curvature, where no place is nearer than those around it.
+const MOST_STEPS: usize = 1_000;
+
 /// A clothoid in its own frame: it starts at the origin along x.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Clothoid {
@@ -132,6 +135,48 @@ impl Clothoid {
             self.search(point, a, a + half, best);
             self.search(point, a + half, b, best);
         }
+    }
+
+    /// Where one gets from `u` by going along the curve as long as that comes nearer to `point`, an end at most.
+    ///
+    /// On the way there the distance only falls, so `|f'| = |1 - κd|` stays below 1 plus the sharpest curvature times the
+    /// distance now, and a step of `f` over that passes no minimum. Where `D` is convex over twice Newton's step, the minimum
+    /// is looked for there at once.
+    pub(super) fn downhill(&self, u: f64, point: Point) -> Foot {
+        let sharpest = self.start.abs().max(self.curvature(self.length).abs());
+        let mut foot = self.foot(u, point);
+        for _ in 0..MOST_STEPS {
+            let distance = foot.distance2().sqrt();
+            let reach = 2.0 * foot.ahead / (1.0 - self.curvature(foot.u) * foot.left);
+            let to = (foot.u + reach).clamp(0.0, self.length);
+            let (a, b) = (foot.u.min(to), foot.u.max(to));
+            let drift = sharpest * (b - a) * (distance + (b - a));
+            let (_, high) = self.bend(a, b, foot.left - drift, foot.left + drift);
+            if reach * foot.ahead >= 0.0 && high < 1.0 {
+                let end = self.foot(to, point);
+                if end.ahead * foot.ahead > 0.0 {
+                    foot = end; // nearer all the way
+                } else {
+                    return self.descend(point, a, b);
+                }
+            } else {
+                let step = foot.ahead / (1.0 + sharpest * distance);
+                let next = (foot.u + step).clamp(0.0, self.length);
+                if next == foot.u {
+                    break;
+                }
+                foot = self.foot(next, point);
+            }
+            if foot.u == self.end(foot.ahead > 0.0) {
+                break;
+            }
+        }
+        foot
+    }
+
+    /// [m] the end that lies ahead, or the one that lies behind.
+    fn end(&self, forward: bool) -> f64 {
+        if forward { self.length } else { 0.0 }
     }
 
     /// Bounds of κd over `a..b` for offsets between `right` and `left`.

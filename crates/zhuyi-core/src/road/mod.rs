@@ -11,17 +11,22 @@
 //! | θ, κ | heading and curvature of the reference line | rad, 1/m |
 //!
 //! The reference line is the middle of the road. Position and heading are continuous over the segments, curvature is
-//! as the segments say. Before its start and behind its end the road goes straight on. Left out: elevation,
-//! superelevation, lanes that begin, end or change their width.
+//! as the segments say. Before its start and behind its end an open road goes straight on; a closed one, a ring, goes
+//! round, and `s` counts on over its laps. Left out: elevation, superelevation, lanes that begin, end or change their
+//! width.
 
 mod clothoid;
+mod itself;
+mod locate;
 mod piece;
+mod ring;
 mod segment;
 #[cfg(test)]
 mod tests;
 
-use crate::{Point, Pose};
+use crate::Pose;
 use piece::{Piece, Shape};
+use ring::Ring;
 pub use segment::{RoadError, Segment};
 
 /// A place on the road.
@@ -58,8 +63,10 @@ pub struct Road {
     lanes: u8,
     lane_width: f64,
     length: f64,
-    /// Sorted by start; together they cover all s, the first and the last without end.
+    /// Sorted by start. On an open road they cover all s, the first and the last without end; on a ring one lap.
     pieces: Vec<Piece>,
+    /// Present on a closed road.
+    ring: Option<Ring>,
 }
 
 impl Road {
@@ -70,7 +77,7 @@ impl Road {
     /// [m] longest segment: up to there `f64` resolves 1e-10 m.
     pub const MAX_SEGMENT_LENGTH: f64 = 1e6;
 
-    /// A road whose reference line, the middle of the road, starts at `start`.
+    /// An open road whose reference line, the middle of the road, starts at `start`.
     ///
     /// # Errors
     /// The first of [`RoadError`]'s rules that does not hold.
@@ -79,6 +86,44 @@ impl Road {
         segments: &[Segment],
         lanes: u8,
         lane_width: f64,
+    ) -> Result<Self, RoadError> {
+        Self::laid_out(start, segments, (lanes, lane_width), false)
+    }
+
+    /// A ring: a road whose end meets its start, in position to within [`Road::MAX_MISS`] and in heading to within
+    /// [`Road::MAX_MISS_HEADING`].
+    ///
+    /// Its `s` goes on counting from lap to lap, backwards too; its [`length`](Road::length) is that of one lap.
+    /// ```
+    /// use zhuyi_core::{Frenet, Pose, Road, Segment};
+    /// use std::f64::consts::{PI, TAU};
+    /// // A stadium: two straights of 200 m, two half circles of 50 m radius.
+    /// let (straight, bend) = (Segment::Line { length: 200.0 }, Segment::Arc { length: 50.0 * PI, curvature: 0.02 });
+    /// let road = Road::closed(Pose::default(), &[straight, bend, straight, bend], 2, 3.5)?;
+    /// let lap = 400.0 + 100.0 * PI;
+    /// assert!((road.length() - lap).abs() < 1e-12);
+    /// let there = road.world_from_road(Frenet { s: 2.0 * lap + 30.0, d: 1.0 });
+    /// assert!((there.x - 30.0).abs() < 1e-9 && (there.y - 1.0).abs() < 1e-9);
+    /// assert!((there.heading - 2.0 * TAU).abs() < 1e-9);
+    /// # Ok::<(), zhuyi_core::RoadError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The first of [`RoadError`]'s rules that does not hold.
+    pub fn closed(
+        start: Pose,
+        segments: &[Segment],
+        lanes: u8,
+        lane_width: f64,
+    ) -> Result<Self, RoadError> {
+        Self::laid_out(start, segments, (lanes, lane_width), true)
+    }
+
+    fn laid_out(
+        start: Pose,
+        segments: &[Segment],
+        (lanes, lane_width): (u8, f64),
+        closed: bool,
     ) -> Result<Self, RoadError> {
         segment::check_cross_section(lanes, lane_width)?;
         if segments.is_empty() {
@@ -91,13 +136,18 @@ impl Road {
         for (index, segment) in segments.iter().enumerate() {
             segment::check_segment(index, *segment, sharpest)?;
         }
-        let length = segments.iter().map(|segment| segment.parts().0).sum();
-        Ok(Self {
+        let mut road = Self {
             lanes,
             lane_width,
-            length,
-            pieces: lay_out(start, segments),
-        })
+            length: segments.iter().map(|segment| segment.parts().0).sum(),
+            pieces: lay_out(start, segments, closed),
+            ring: None,
+        };
+        if closed {
+            road.ring = Some(road.close(start)?);
+        }
+        road.check_apart_from_itself(segments)?;
+        Ok(road)
     }
 
     /// A straight road along the x axis, from the origin.
@@ -156,22 +206,34 @@ impl Road {
         (index >= 0.0 && index < f64::from(self.lanes)).then_some(Lane(index as u8 + 1))
     }
 
-    /// [m] length of the reference line.
+    /// [m] length of the reference line, of a ring that of one lap.
     pub fn length(&self) -> f64 {
         self.length
+    }
+
+    /// [m] width of all lanes together.
+    pub fn width(&self) -> f64 {
+        f64::from(self.lanes) * self.lane_width
     }
 
     /// [1/m] curvature of the reference line, positive to the left; where two segments meet, that of the second.
     #[inline]
     pub fn curvature(&self, s: f64) -> f64 {
+        let (s, _) = self.in_first_lap(s);
         let piece = self.piece(s);
         piece.curvature(s - piece.start)
     }
 
-    /// [rad] heading of the reference line; it goes on counting over full turns.
+    /// [rad] heading of the reference line; it goes on counting over full turns, on a ring from lap to lap.
+    #[inline]
     pub fn heading(&self, s: f64) -> f64 {
+        let (s, lap) = self.in_first_lap(s);
         let piece = self.piece(s);
-        piece.heading(s - piece.start)
+        let heading = piece.heading(s - piece.start);
+        match self.ring {
+            None => heading,
+            Some(ring) => heading + lap * ring.turn,
+        }
     }
 
     /// Whether the road has no bend anywhere, so that lengths along all offsets are equal.
@@ -224,7 +286,8 @@ impl Road {
         along - d * (self.heading(to_s) - self.heading(from_s))
     }
 
-    /// [m] up to where the road goes straight on from `s`, without end on its last line; none in a bend.
+    /// [m] up to where the road goes straight on from `s`, without end on the last line of an open road, up to the end of
+    /// the lap on a ring; none in a bend.
     ///
     /// ```
     /// use zhuyi_core::{Pose, Road, Segment};
@@ -236,12 +299,16 @@ impl Road {
     /// ```
     #[inline]
     pub fn straight_until(&self, s: f64) -> Option<f64> {
+        let (s, lap) = self.in_first_lap(s);
         let place = self.place(s);
-        let end = self
-            .pieces
-            .get(place + 1)
-            .map_or(f64::INFINITY, |next| next.start);
-        self.pieces[place].is_line().then_some(end)
+        if !self.pieces[place].is_line() {
+            return None;
+        }
+        let end = self.pieces.get(place + 1).map(|next| next.start);
+        Some(match self.ring {
+            None => end.unwrap_or(f64::INFINITY),
+            Some(_) => end.unwrap_or(self.length) + lap * self.length,
+        })
     }
 
     /// World position of a place, with the heading of the road there.
@@ -253,33 +320,17 @@ impl Road {
     /// The same, with the curvature there [1/m].
     #[inline]
     pub fn pose_and_curvature(&self, place: Frenet) -> (Pose, f64) {
-        let piece = self.piece(place.s);
-        let u = place.s - piece.start;
-        (piece.pose(u, place.d), piece.curvature(u))
+        let (s, lap) = self.in_first_lap(place.s);
+        let piece = self.piece(s);
+        let u = s - piece.start;
+        let mut pose = piece.pose(u, place.d);
+        if let Some(ring) = self.ring {
+            pose.heading += lap * ring.turn;
+        }
+        (pose, piece.curvature(u))
     }
 
-    /// The place whose point of the reference line is nearest to `point`; of two equally near ones the first.
-    ///
-    /// It undoes [`Road::world_from_road`] wherever no other part of the road is nearer, as on every road that keeps
-    /// its own width away from itself.
-    pub fn road_from_world(&self, point: Point) -> Frenet {
-        let (first, rest) = (&self.pieces[0], &self.pieces[1..]);
-        let mut nearest = first.nearest(point);
-        let mut start = first.start;
-        for piece in rest {
-            let foot = piece.nearest(point);
-            if foot.distance2() < nearest.distance2() {
-                nearest = foot;
-                start = piece.start;
-            }
-        }
-        Frenet {
-            s: start + nearest.u,
-            d: nearest.left,
-        }
-    }
-
-    /// The piece that holds `s`.
+    /// The piece that holds `s`, on a ring of the first lap.
     #[inline]
     fn piece(&self, s: f64) -> &Piece {
         &self.pieces[self.place(s)]
@@ -296,20 +347,22 @@ impl Road {
     }
 }
 
-/// Segments end to end between two lines that go on for ever; lines that follow each other are one piece.
-fn lay_out(start: Pose, segments: &[Segment]) -> Vec<Piece> {
-    let mut pieces = vec![Piece::new(0.0, start, Shape::Line, f64::NEG_INFINITY, 0.0)];
+/// Segments end to end, those of an open road between two lines that go on for ever; lines that follow each other are one
+/// piece.
+fn lay_out(start: Pose, segments: &[Segment], closed: bool) -> Vec<Piece> {
+    let before = || Piece::new(0.0, start, Shape::Line, f64::NEG_INFINITY, 0.0);
+    let behind = (f64::INFINITY, 0.0, 0.0);
+    let mut pieces: Vec<Piece> = (!closed).then(before).into_iter().collect();
     let mut s = 0.0;
     let parts = segments.iter().map(|segment| segment.parts());
-    for (length, start, end) in parts.chain([(f64::INFINITY, 0.0, 0.0)]) {
-        let newest = pieces.len() - 1;
-        let last = &mut pieces[newest];
-        let shape = Shape::new(length, start, end);
-        if last.is_line() && shape == Shape::Line {
-            last.extend(length);
-        } else {
-            let pose = last.pose(s - last.start, 0.0);
-            pieces.push(Piece::new(s, pose, shape, 0.0, length));
+    for (length, from, to) in parts.chain((!closed).then_some(behind)) {
+        let shape = Shape::new(length, from, to);
+        match pieces.last_mut() {
+            Some(last) if last.is_line() && shape == Shape::Line => last.extend(length),
+            last => {
+                let pose = last.map_or(start, |last| last.pose(s - last.start, 0.0));
+                pieces.push(Piece::new(s, pose, shape, 0.0, length));
+            }
         }
         s += length;
     }

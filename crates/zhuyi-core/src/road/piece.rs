@@ -9,6 +9,7 @@
 //! `u = atan2(κx, 1 - κy) / κ`. Clothoids: see [`Clothoid`].
 
 use super::clothoid::Clothoid;
+use super::segment::turn;
 use crate::geometry::wrap_angle;
 use crate::{Point, Pose};
 
@@ -94,6 +95,11 @@ impl Shape {
         }
     }
 
+    /// [rad] how far it has turned at `u`, to the left and to the right together.
+    fn turned(&self, u: f64) -> f64 {
+        turn(u, self.curvature(0.0), self.curvature(u))
+    }
+
     #[inline]
     fn curvature(&self, u: f64) -> f64 {
         match self {
@@ -138,6 +144,14 @@ impl Piece {
         self.shape.curvature(u)
     }
 
+    /// [rad] how far it has turned at `u`, to the left and to the right together.
+    pub(super) fn turned(&self, u: f64) -> f64 {
+        if self.is_line() {
+            return 0.0; // of any length
+        }
+        self.shape.turned(u)
+    }
+
     /// World pose at `u` along and `d` to the left of the curve.
     #[inline]
     pub(super) fn pose(&self, u: f64, d: f64) -> Pose {
@@ -156,10 +170,15 @@ impl Piece {
         )
     }
 
+    /// A point of the world in the frame of the curve.
+    fn local(&self, point: Point) -> (f64, f64) {
+        let (dx, dy) = (point.x - self.origin.x, point.y - self.origin.y);
+        (dx * self.cos + dy * self.sin, dy * self.cos - dx * self.sin)
+    }
+
     /// The nearest point of this piece to a point of the world.
     pub(super) fn nearest(&self, point: Point) -> Foot {
-        let (dx, dy) = (point.x - self.origin.x, point.y - self.origin.y);
-        let (x, y) = (dx * self.cos + dy * self.sin, dy * self.cos - dx * self.sin);
+        let (x, y) = self.local(point);
         match &self.shape {
             Shape::Line => {
                 let u = x.clamp(self.from, self.to);
@@ -179,5 +198,32 @@ impl Piece {
             }
             Shape::Clothoid(clothoid) => clothoid.nearest(Point::new(x, y)),
         }
+    }
+
+    /// A point of the world as seen from the curve at `u`.
+    pub(super) fn foot(&self, u: f64, point: Point) -> Foot {
+        let (x, y) = self.local(point);
+        Foot::new(u, self.shape.pose(u), Point::new(x, y))
+    }
+
+    /// Where one gets from `u` by going along the curve as long as that comes nearer to a point of the world, the end of the
+    /// piece at most.
+    pub(super) fn downhill(&self, u: f64, point: Point) -> Foot {
+        let (x, y) = self.local(point);
+        match &self.shape {
+            Shape::Line => self.nearest(point),
+            Shape::Arc { curvature } => {
+                let from = Foot::new(u, self.shape.pose(u), Point::new(x, y));
+                let turns = (curvature * from.ahead).atan2(1.0 - curvature * from.left);
+                let u = (u + turns / curvature).clamp(self.from, self.to);
+                Foot::new(u, self.shape.pose(u), Point::new(x, y))
+            }
+            Shape::Clothoid(clothoid) => clothoid.downhill(u, Point::new(x, y)),
+        }
+    }
+
+    /// [m] the `u` at the end of the piece that lies ahead, or at the one that lies behind.
+    pub(super) fn end(&self, forward: bool) -> f64 {
+        if forward { self.to } else { self.from }
     }
 }

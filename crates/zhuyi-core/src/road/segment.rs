@@ -94,7 +94,7 @@ pub enum RoadError {
         /// [1/m] one over half the width of the road.
         below: f64,
     },
-    /// A segment that comes round to its own heading and may run into itself.
+    /// A segment that comes round to its own heading.
     #[error("a segment turns by at most one full circle, 6.283 rad, got {got}")]
     Turn {
         /// Which segment.
@@ -102,6 +102,57 @@ pub enum RoadError {
         /// [rad] how far it turns, to the left and to the right together.
         got: f64,
     },
+    /// A road that comes closer to itself than it is wide.
+    #[error(
+        "the road lies over itself: {width} m wide, its middle at {:.2} m (segment {}) comes within {apart:.2} m of its middle \
+         at {:.2} m (segment {}){}",
+        s[1], segments[1] + 1, s[0], segments[0] + 1, back(*lap)
+    )]
+    Itself {
+        /// The segments of the two places, the first one first.
+        segments: [usize; 2],
+        /// [m] arc lengths of the two places.
+        s: [f64; 2],
+        /// [m] distance between them.
+        apart: f64,
+        /// [m] width of the road.
+        width: f64,
+        /// [m] where the road comes back to its start, if it does.
+        lap: Option<f64>,
+    },
+    /// A closed road whose end does not meet its start.
+    #[error(
+        "a closed road ends where it starts, to within {} m and {} rad: its end lies {:.4} m {} and {:.4} m to the {} of its \
+         start and is turned by {turned:.5} rad",
+        Road::MAX_MISS, Road::MAX_MISS_HEADING,
+        ahead.abs(), if *ahead < 0.0 { "before" } else { "past" },
+        left.abs(), if *left < 0.0 { "right" } else { "left" }
+    )]
+    Open {
+        /// [m] how far the end lies ahead of the start, along its heading.
+        ahead: f64,
+        /// [m] how far the end lies to the left of the start.
+        left: f64,
+        /// [rad] heading of the end against that of the start, within half a turn.
+        turned: f64,
+    },
+}
+
+/// What to do about a road that comes back to its start.
+fn back(lap: Option<f64>) -> String {
+    lap.map_or_else(String::new, |lap| {
+        format!("; it comes back to its start at {lap:.3} m: a ring is one lap with `closed: true`")
+    })
+}
+
+/// [rad] how far a curve turns, to the left and to the right together: the area under |κ|, a trapezium, or two triangles
+/// where the curve changes sides.
+pub(super) fn turn(length: f64, start: f64, end: f64) -> f64 {
+    if start * end >= 0.0 {
+        (start + end).abs() / 2.0 * length
+    } else {
+        (start * start + end * end) / (2.0 * (end - start).abs()) * length
+    }
 }
 
 pub(super) fn check_cross_section(lanes: u8, lane_width: f64) -> Result<(), RoadError> {
@@ -135,14 +186,9 @@ pub(super) fn check_segment(
             });
         }
     }
-    // The area under |κ|: a trapezium, or two triangles where the curve changes sides.
-    let turn = if start * end >= 0.0 {
-        (start + end).abs() / 2.0 * length
-    } else {
-        (start * start + end * end) / (2.0 * (end - start).abs()) * length
-    };
+    let turn = turn(length, start, end);
     // A closed circle is given by rounded numbers.
-    if turn > TAU * (1.0 + 1e-9) {
+    if turn > TAU + Road::MAX_MISS_HEADING {
         return Err(RoadError::Turn {
             segment: index,
             got: turn,

@@ -1,6 +1,11 @@
 //! Evidence for the road: values worked by hand and published, round trips, derivatives, the nearest point by brute force.
 
+mod apart;
+mod near;
+mod rings;
+
 use super::*;
+use crate::Point;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A road with every kind of join: line to arc with a step of curvature, clothoids in and out, an S-curve, two lines
@@ -440,7 +445,7 @@ fn hand_rules_for_roads() {
         length: 40.0 * PI,
         curvature: 0.05,
     };
-    assert!(Road::new(start, &[circle], 2, 4.0).is_ok());
+    assert!(Road::closed(start, &[circle], 2, 4.0).is_ok());
     let nowhere = Road::new(Pose::new(f64::NAN, 0.0, 0.0), &[line], 2, 4.0).unwrap_err();
     assert!(matches!(nowhere, RoadError::Start { .. }));
     assert_eq!(

@@ -8,6 +8,7 @@
 //! | `laws` | what changes no answer: the place, the direction and the handedness of the world, the cutting into steps |
 //! | `plain` | the same questions asked one by one, in the plainest way |
 //! | `standing` | an ego that stands: its state, and the heading that bends nothing |
+//! | `on_roads` | places on hairpins and rings |
 //! | `recordings` | real traffic, every vehicle as the ego, and the figures of the crate's page |
 
 #![allow(clippy::disallowed_methods)] // Of the standard library: no result depends on these.
@@ -17,6 +18,7 @@ mod bad_rows;
 mod coverage;
 mod cuts;
 mod laws;
+mod on_roads;
 mod plain;
 mod recordings;
 mod standing;

@@ -56,7 +56,10 @@ impl Columns {
                 worst.closeness(time, actor, gap, ttc);
                 let belief = &witness.beliefs(place)[actor];
                 if let (true, Some(track)) = (belief.confirmed, &belief.track) {
-                    worst.belief(&row, actor, track);
+                    let mut track = *track;
+                    let truth = row.actors[actor].road.s;
+                    track.road.s = drive.run.trace.nearest_lap(track.road.s, truth);
+                    worst.belief(&row, actor, &track);
                 }
             }
         }

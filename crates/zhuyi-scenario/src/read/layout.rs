@@ -54,7 +54,9 @@ pub(super) fn check_start(
             one.place.s - one.footprint.length / 2.0,
             one.place.s + one.footprint.length / 2.0,
         );
-        if rear < 0.0 || front > road.length() {
+        if let Some(lap) = road.lap() {
+            check_lap(one, start.s, lap);
+        } else if rear < 0.0 || front > road.length() {
             let (name, length) = (one.name.to_string(), road.length());
             one.node.refuse(Conflict::OffRoad {
                 name,
@@ -66,6 +68,23 @@ pub(super) fn check_start(
         for other in &standing[..index] {
             check_apart(road, one, other);
         }
+    }
+}
+
+/// On a ring all stand within one lap: the ego of its start, the others of the ego.
+fn check_lap(one: &Standing, ego: f64, lap: f64) {
+    let (way, from) = if one.name == "ego" {
+        (ego, "the start of the road")
+    } else {
+        (one.place.s - ego, "the ego")
+    };
+    if way.abs() > lap {
+        one.node.refuse(Conflict::BeyondLap {
+            name: one.name.to_string(),
+            way: way.abs(),
+            from,
+            lap,
+        });
     }
 }
 

@@ -26,27 +26,49 @@ pub(super) fn road(node: &Node) -> (Option<u8>, Option<Layout>) {
             .required("segments")
             .and_then(|segments| segments.list(1..=1000));
         let segments = every(nodes.iter().flatten().map(segment));
+        let closed = fields.optional("closed");
+        let is_closed = closed.as_ref().map_or(Some(false), Node::truth);
         let (lanes, lane_width, nodes, segments) = (lanes?, lane_width?, nodes?, segments?);
-        let lay_out =
-            |segments: &[Segment]| Road::new(Pose::default(), segments, lanes, lane_width);
-        // One at a time first, so that each that breaks a rule of the road is pointed at.
-        let alone = nodes
-            .iter()
-            .zip(&segments)
-            .map(|(node, segment)| accept(lay_out(&[*segment]), node));
+        // One at a time first, so that each that breaks a rule of its own is pointed at.
+        let alone = nodes.iter().zip(&segments).map(|(node, segment)| {
+            match Road::new(Pose::default(), &[*segment], lanes, lane_width) {
+                Ok(_) | Err(RoadError::Itself { .. }) => Some(()),
+                Err(error) => refuse(node, error),
+            }
+        });
         every(alone)?;
-        Some(Layout {
-            road: accept(lay_out(&segments), node)?,
-            segments,
-        })
+        let lay_out = if is_closed? { Road::closed } else { Road::new };
+        let road = match lay_out(Pose::default(), &segments, lanes, lane_width) {
+            Ok(road) => road,
+            Err(error) => {
+                return match (&error, &closed) {
+                    (RoadError::Itself { segments, .. }, _) => {
+                        let [first, second] = *segments;
+                        let first = (first != second).then(|| &nodes[first]);
+                        refuse_beside(&nodes[second], first, error)
+                    }
+                    (RoadError::Open { .. }, Some(closed)) => refuse(closed, error),
+                    _ => refuse(node, error),
+                };
+            }
+        };
+        Some(Layout { road, segments })
     });
     (lanes, layout)
 }
 
-/// The road, unless it breaks its own rules.
-fn accept(road: Result<Road, RoadError>, node: &Node) -> Option<Road> {
-    road.map_err(|error| node.refuse(Conflict::from(error)))
-        .ok()
+/// Points at a segment, and at the one that it lies over if that is another.
+fn refuse_beside<T>(node: &Node, other: Option<&Node>, error: RoadError) -> Option<T> {
+    let Some(other) = other else {
+        return refuse(node, error);
+    };
+    node.refuse_beside(Conflict::from(error), other);
+    None
+}
+
+fn refuse<T>(node: &Node, error: RoadError) -> Option<T> {
+    node.refuse(Conflict::from(error));
+    None
 }
 
 fn segment(node: &Node) -> Option<Segment> {

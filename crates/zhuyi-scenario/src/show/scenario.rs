@@ -3,7 +3,7 @@
 use super::{number_for, value::Value};
 use crate::body::Body;
 use crate::model::Scenario;
-use Value::{List, Number, Struct, Text, Variant, Whole};
+use Value::{List, Number, Struct, Text, Truth, Variant, Whole};
 use zhuyi_core::{ActorId, Lane, Segment, SimTime};
 use zhuyi_world::script::{Action, Actor, Behaviour, Manoeuvre, Place, Trigger};
 
@@ -38,14 +38,18 @@ pub(super) fn scenario(scenario: &Scenario) -> Value {
 }
 
 fn road(scenario: &Scenario) -> Value {
-    Struct(vec![
+    let mut fields = vec![
         ("lanes", Whole(scenario.road.lanes().into())),
         ("lane_width_m", Number(scenario.road.lane_width())),
         (
             "segments",
             List(scenario.segments.iter().copied().map(segment).collect()),
         ),
-    ])
+    ];
+    if scenario.road.lap().is_some() {
+        fields.push(("closed", Truth(true)));
+    }
+    Struct(fields)
 }
 
 fn segment(segment: Segment) -> Value {

@@ -64,6 +64,24 @@ fn law_shown_reads_back_equal() {
     }
 }
 
+#[test]
+fn law_a_shown_ring_reads_back_equal() {
+    let text = SCENARIO.replace(
+        "[Line(length_m: 1000)]",
+        "[Arc(length_m: 628.32, radius_m: 100)], closed: true",
+    );
+    let system = texts::system();
+    let ring = Scenario::read(&Source::new("ring.ron", text), &system, &[]).unwrap();
+    assert_eq!(ring.road.lap(), Some(628.32));
+    let shown = Source::new("ring.ron", ring.to_ron());
+    assert!(shown.text().contains("closed: true"), "{}", shown.text());
+    assert_eq!(Scenario::read(&shown, &system, &[]).unwrap(), ring);
+    // A road that is not closed says nothing of it, written out or not.
+    let open = SCENARIO.replace("1000)]", "1000)], closed: false");
+    let open = Scenario::read(&Source::new("open.ron", open), &system, &[]).unwrap();
+    assert!(open.road.lap().is_none() && !open.to_ron().contains("closed"));
+}
+
 /// Everything that the embedded files leave out.
 const EVERYTHING: &str = r#"(
     title: "Quotes \" and \\ and ü",

@@ -508,7 +508,7 @@ fn regress_boxes_that_only_a_bend_brings_together() {
         SCENARIO
             .replace(
                 "Line(length_m: 1000)",
-                "Arc(length_m: 180, radius_m: 30), Line(length_m: 820)",
+                "Arc(length_m: 120, radius_m: 30), Line(length_m: 880)",
             )
             .replace("Ahead(gap_m: 30)", &format!("Ahead(gap_m: {gap})"))
             .replace("lane: 2, s_m: 100", "lane: 3, s_m: 100")
@@ -520,6 +520,78 @@ fn regress_boxes_that_only_a_bend_brings_together() {
         "{told:?}"
     );
     scenario(&at(2.0)).unwrap();
+}
+
+#[test]
+fn hand_roads_that_lie_over_themselves_and_rings_that_do_not_close() {
+    check(
+        scenario,
+        SCENARIO,
+        &[
+            (
+                "[Line(length_m: 1000)]",
+                "[Line(length_m: 200), Arc(length_m: 150, radius_m: 30), Line(length_m: 200)]",
+                "3:107 the road lies over itself: 10.5 m wide, its middle at 372.41 m (segment 3) comes within 0.00 m of its middle \
+                 at 177.59 m (segment 1)",
+            ),
+            (
+                "Line(length_m: 1000)",
+                "Arc(length_m: 1000, radius_m: 159.155)",
+                "3:52 the road lies over itself: 10.5 m wide, its middle at 1000.00 m (segment 1) comes within 0.00 m of its \
+                 middle at 0.00 m (segment 1); it comes back to its start at 1000.000 m: a ring is one lap with `closed: true`",
+            ),
+            (
+                "[Line(length_m: 1000)]",
+                "[Line(length_m: 1000)], closed: true",
+                "3:83 a closed road ends where it starts, to within 0.01 m and 0.001 rad: its end lies 1000.0000 m past and \
+                 0.0000 m to the left of its start and is turned by 0.00000 rad",
+            ),
+            (
+                "[Line(length_m: 1000)]",
+                "[Arc(length_m: 999.9, radius_m: 159.155)], closed: true",
+                "3:102 a closed road ends where it starts, to within 0.01 m and 0.001 rad: its end lies 0.1004 m before and \
+                 0.0000 m to the left of its start and is turned by -0.00063 rad",
+            ),
+            (
+                "[Line(length_m: 1000)]",
+                "[Line(length_m: 1000)], closed: yes",
+                "3:83 `closed` must be `true` or `false`, got `yes`",
+            ),
+        ],
+    );
+}
+
+#[test]
+fn hand_starts_on_a_ring_lie_within_a_lap() {
+    let ring = SCENARIO.replace(
+        "[Line(length_m: 1000)]",
+        "[Arc(length_m: 1000, radius_m: 159.155)], closed: true",
+    );
+    // Across the seam, ahead and behind; boxes may stand over it.
+    scenario(&ring.replace("s_m: 100", "s_m: 1")).unwrap();
+    scenario(&ring.replace("s_m: 100", "s_m: 990")).unwrap();
+    scenario(&ring.replace("Ahead(gap_m: 30)", "Behind(gap_m: 600)")).unwrap();
+    check(
+        scenario,
+        &ring,
+        &[
+            (
+                "s_m: 100",
+                "s_m: 1001",
+                "4:10 `ego` would stand 1001.00 m from the start of the road, and a lap of the road has 1000 m",
+            ),
+            (
+                "Ahead(gap_m: 30)",
+                "Ahead(gap_m: 1008)",
+                "7:40 `lead` would stand 1012.70 m from the ego, and a lap of the road has 1000 m",
+            ),
+            (
+                "Ahead(gap_m: 30)",
+                "Ahead(gap_m: 993)",
+                "7:40 `lead` and `ego` would overlap at the start by 2.414 m along and 1.893 m across `lead`",
+            ),
+        ],
+    );
 }
 
 #[test]

@@ -370,11 +370,15 @@ pub fn collision(scenario: &Scenario, run: &zhuyi_sim::Run) -> Option<Collision>
     let Outcome::Collision(collision) = &run.outcome else {
         return None;
     };
+    // The places at which both were last on the road.
+    let last = run.trace.rows().last();
+    let before = last.map(|row| [row.ego.road.s, row.actors[collision.actor.index()].road.s]);
+    let [ego, other] = before.unwrap_or_default();
     let crash = collision.crash.as_ref().ok().map(|crash| Crash {
         impact_speed_mps: crash.impact_speed,
         relative_speed_mps: crash.relative_speed,
-        ego: at_rest(scenario, &crash.ego),
-        other: at_rest(scenario, &crash.other),
+        ego: at_rest(scenario, &crash.ego, ego),
+        other: at_rest(scenario, &crash.other, other),
         further: crash
             .further
             .iter()
@@ -396,9 +400,10 @@ pub fn collision(scenario: &Scenario, run: &zhuyi_sim::Run) -> Option<Collision>
     })
 }
 
-fn at_rest(scenario: &Scenario, rest: &Rest) -> AtRest {
+/// A wreck, which slid there from the arc length `from` [m] of the road.
+fn at_rest(scenario: &Scenario, rest: &Rest, from: f64) -> AtRest {
     let Pose { x, y, heading } = rest.pose;
-    let road = scenario.road.road_from_world(rest.pose.point());
+    let road = scenario.road.road_from_world_near(rest.pose.point(), from);
     AtRest {
         delta_v_mps: rest.delta_v,
         x_m: x,
