@@ -9,7 +9,6 @@
 //! Boxes count as they stand. Each stretch of time is a note of its own. They are found in the trace once a run is over: a run that
 //! nobody asks for notes does not pay for them.
 
-use zhuyi_core::geometry::sin_cos;
 use zhuyi_core::{ActorId, Body, Footprint, Pose, Road, SimTime};
 use zhuyi_world::contact::overlap;
 
@@ -94,7 +93,7 @@ pub fn notes(trace: &Trace, road: &Road) -> Vec<Note> {
             if is_off(body, road) {
                 notes.holds(Subject::OffRoad(vehicle), row.time);
             }
-            if body.front() > road.length() {
+            if road.lap().is_none() && body.front() > road.length() {
                 notes.holds(Subject::PastEnd(vehicle), row.time);
             }
         }
@@ -119,14 +118,7 @@ fn vehicles<'a>(row: &Row<'a>) -> impl Iterator<Item = (Vehicle, &'a Body)> {
 /// Whether a side of a box lies beyond an edge of the road.
 fn is_off(body: &Body, road: &Road) -> bool {
     let edge = f64::from(road.lanes()) * road.lane_width() / 2.0 + BEYOND;
-    let reach = body.footprint.radius();
-    if body.road.d.abs() + reach <= edge {
-        return false;
-    }
-    let (sin, cos) = sin_cos(body.pose.heading - road.heading(body.road.s));
-    let Footprint { length, width } = body.footprint;
-    let half = f64::midpoint(sin.abs() * length, cos.abs() * width);
-    body.road.d.abs() + half > edge
+    body.road.d.abs() + body.extent.width / 2.0 > edge
 }
 
 /// Whether two boxes overlap in the world.
