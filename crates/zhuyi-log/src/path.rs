@@ -167,7 +167,7 @@ impl Path {
         if self.rows.is_empty() {
             0.0
         } else {
-            -self.chain.at(0).s
+            0.0 - self.chain.at(0).s
         }
     }
 

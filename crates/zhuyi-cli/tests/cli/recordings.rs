@@ -331,6 +331,16 @@ late,2,2,0,2,0,0,0,0,1.000000,front_120,0.4,ego,1.000000
 }
 
 #[test]
+fn law_the_help_names_all_states() {
+    let names = zhuyi_estimator::State::ALL.map(zhuyi_estimator::State::name);
+    let (last, others) = names.split_last().unwrap();
+    let help = Bench::new().out("estimate --help");
+    let words = help.split_whitespace().collect::<Vec<_>>().join(" ");
+    let list = format!("of each state {} and {last},", others.join(", "));
+    assert!(words.contains(&list), "{words}");
+}
+
+#[test]
 fn hand_real_traffic() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data/traces");
     let bench = Bench::new();
@@ -351,7 +361,7 @@ fn hand_real_traffic() {
                 )),
                 "{told}"
             );
-            let count: usize = row[3..8]
+            let count: usize = row[3..3 + zhuyi_estimator::State::ALL.len()]
                 .iter()
                 .map(|cell| cell.parse::<usize>().unwrap())
                 .sum();
