@@ -1,5 +1,6 @@
 //! The true state of everything at one instant. Only the simulation loop and the offline evaluation hold one.
 
+use crate::approach::in_the_way;
 use crate::{Footprint, Frenet, Pose, SimTime};
 
 /// An actor of the scenario: its place in the scenario's list, from 0.
@@ -66,7 +67,7 @@ impl Body {
     /// ```
     #[inline]
     pub fn overlaps_sideways(&self, other: &Self) -> bool {
-        (self.road.d - other.road.d).abs() < self.extent.half_widths(other.extent)
+        in_the_way(self.road.d - other.road.d, self.extent, other.extent, 0.0)
     }
 }
 

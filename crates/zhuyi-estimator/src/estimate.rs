@@ -24,7 +24,7 @@ pub struct Ego {
 }
 
 impl From<&Body> for Ego {
-    /// Of a body that drives along the path in whose frame its place is told.
+    /// Of a body that drives along the path in whose frame its place is told, its box as it stands there.
     fn from(body: &Body) -> Self {
         Self {
             s: body.road.s,

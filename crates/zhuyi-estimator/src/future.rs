@@ -4,7 +4,7 @@
 //! crate count from t_0. Before the first piece it is extended backwards, after the last one it goes on for ever.
 //! Lists should be as short as exactness allows: a long stretch of one acceleration is one piece.
 
-use zhuyi_core::{Across, Along, Extent, Trajectory};
+use zhuyi_core::{Across, Along, Extent, Footprint, Trajectory};
 
 /// A trajectory of an actor, seen from one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,6 +84,70 @@ impl<'a> Future<'a> {
             d: across.d + (self.now - across.time) * across.d_rate,
             d_rate: across.d_rate,
         })
+    }
+
+    /// Returns the box of `actor` as it stands on the path at `time` [s] from t_0: its extents along and across it, the box
+    /// itself where the future keeps it aligned with the path.
+    ///
+    /// A lorry that turns from along to across the path in 4 s, its half extents taken as lines: half way.
+    /// ```
+    /// use zhuyi_core::{Across, Along, Extent, Footprint};
+    /// use zhuyi_estimator::Future;
+    /// let lorry = Footprint { length: 12.0, width: 2.5 };
+    /// let along = [Along::constant_accel(0.0, 50.0, 0.0, 0.0)];
+    /// let across = [Across { time: 0.0, d: 0.0, d_rate: 0.0 }];
+    /// let turns = [Extent { time: 0.0, along: 6.0, along_rate: -4.75 / 4.0, across: 1.25, across_rate: 4.75 / 4.0 }];
+    /// let mut future = Future { along: &along, across: &across, extents: &turns, known_until: 9.0, now: 1.0 };
+    /// assert_eq!(future.box_at(lorry, 1.0), Footprint { length: 7.25, width: 7.25 });
+    /// future.extents = &[];
+    /// assert_eq!(future.box_at(lorry, 1.0), lorry);
+    /// ```
+    pub fn box_at(&self, actor: Footprint, time: f64) -> Footprint {
+        let at = time + self.now;
+        let Some(piece) = self.extents.get(self.extent_index(time)) else {
+            return actor;
+        };
+        let (along, across) = piece.at(at);
+        Footprint {
+            length: 2.0 * along,
+            width: 2.0 * across,
+        }
+    }
+
+    /// The half extents of `actor` between two times from t_0, piece by piece: from when, until when, and the piece on this
+    /// clock.
+    pub(crate) fn extents_within(
+        &self,
+        actor: Footprint,
+        from: f64,
+        to: f64,
+    ) -> impl Iterator<Item = (f64, f64, Extent)> {
+        let held = self.extents.is_empty().then(|| Extent::held(actor));
+        let first = self.extent_index(from);
+        let pieces = self.extents.iter().enumerate().skip(first);
+        let pieces = pieces.map(move |(index, piece)| {
+            let next = self.extents.get(index + 1);
+            let begin = if index == first {
+                from
+            } else {
+                piece.time - self.now
+            };
+            let end = next.map_or(to, |next| (next.time - self.now).min(to));
+            let time = piece.time - self.now;
+            (begin, end, Extent { time, ..*piece })
+        });
+        held.map(|held| (from, to, held))
+            .into_iter()
+            .chain(pieces)
+            .take_while(move |(begin, ..)| *begin < to)
+    }
+
+    /// The same in the list of half extents.
+    fn extent_index(&self, time: f64) -> usize {
+        let at = time + self.now;
+        self.extents
+            .partition_point(|piece| piece.time <= at)
+            .saturating_sub(1)
     }
 
     /// The place in the list of the piece that holds at `time` from t_0.

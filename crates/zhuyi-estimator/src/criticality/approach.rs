@@ -8,7 +8,7 @@
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | g | gap, the ego's front bumper to the actor's rear bumper | m |
+//! | g | gap, the ego's front bumper to the actor's rear bumper, the boxes as they stand at t_0 (reading R7) | m |
 //! | v_e, v_a | speeds along the road | m/s |
 //! | a_e, a_a | accelerations along the road; TTC, THW and DRAC do not look at them | m/s2 |
 //!
@@ -21,21 +21,7 @@
 use crate::ego_motion::Start;
 use crate::{Ego, Future};
 use zhuyi_core::Footprint;
-
-/// [m/s] below this a gap does not close and a vehicle goes nowhere: 3.6 m in an hour are less than any sensor tells from
-/// nothing, and what divides by it would be hours.
-pub const LEAST_SPEED: f64 = 1e-3;
-
-/// [s] time to collision of a gap [m] that closes at a held speed [m/s]; None below [`LEAST_SPEED`].
-///
-/// ```
-/// use zhuyi_estimator::criticality::time_to_collision;
-/// assert_eq!(time_to_collision(30.0, 15.0), Some(2.0));
-/// assert_eq!(time_to_collision(30.0, 8e-8), None);
-/// ```
-pub fn time_to_collision(gap: f64, closing: f64) -> Option<f64> {
-    (closing >= LEAST_SPEED).then(|| gap / closing)
-}
+use zhuyi_core::approach::{closes, gap, in_the_way, time_to_collision};
 
 /// An ego and the actor ahead of it in its corridor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,18 +39,20 @@ pub struct Approach {
 }
 
 impl Approach {
-    /// The actor's present state on `future` beside the ego's. None unless the actor is in the ego's corridor (reading
-    /// R7) with its rear bumper not behind the ego's front bumper.
+    /// The actor's present state on `future` beside the ego's, both boxes as they stand now. None unless the actor is in
+    /// the ego's corridor (reading R7) with its rearmost edge not behind the ego's foremost one.
+    ///
+    /// The corridor has the estimator's margin, so that the metrics and the estimate beside them speak of the same actors.
     pub fn of(
         ego: &Ego,
         actor: Footprint,
         future: &Future<'_>,
         lateral_margin: f64,
     ) -> Option<Self> {
-        let present = future.start()?;
-        let reach = f64::midpoint(ego.footprint.width, actor.width) + lateral_margin;
-        let gap = present.s - ego.s - f64::midpoint(ego.footprint.length, actor.length);
-        let ahead = gap >= 0.0 && (present.d - ego.d).abs() < reach;
+        let (present, actor) = (future.start()?, future.box_at(actor, 0.0));
+        let gap = gap(present.s - ego.s, ego.footprint, actor);
+        let ahead =
+            gap >= 0.0 && in_the_way(present.d - ego.d, ego.footprint, actor, lateral_margin);
         let start = Start::new(ego.speed, ego.accel);
         ahead.then_some(Self {
             gap,
@@ -80,7 +68,8 @@ impl Approach {
         self.ego_speed - self.actor_speed
     }
 
-    /// [s] time to collision with both speeds held; None if not closing by at least [`LEAST_SPEED`].
+    /// [s] time to collision with both speeds held; None if not closing, by 1 mm/s or more
+    /// ([`time_to_collision`]).
     ///
     /// 30 m at 25 against 10 m/s: 30/15 = 2 s.
     /// ```
@@ -95,7 +84,7 @@ impl Approach {
         time_to_collision(self.gap, self.closing_speed())
     }
 
-    /// [s] time headway, bumper to bumper; None if the ego is slower than [`LEAST_SPEED`].
+    /// [s] time headway, bumper to bumper; None if the ego stands, or is slower than 1 mm/s.
     ///
     /// 30 m at 25 m/s: 1.2 s.
     /// ```
@@ -104,11 +93,11 @@ impl Approach {
     /// assert_eq!(pair.thw(), Some(1.2));
     /// ```
     pub fn thw(&self) -> Option<f64> {
-        (self.ego_speed >= LEAST_SPEED).then(|| self.gap / self.ego_speed)
+        closes(self.ego_speed).then(|| self.gap / self.ego_speed)
     }
 
     /// [m/s2] deceleration rate to avoid a crash: what brings the ego to the actor's held speed within the gap. None if
-    /// not closing by at least [`LEAST_SPEED`], or with no gap left.
+    /// not closing by 1 mm/s or more, or with no gap left.
     ///
     /// 30 m at 25 against 10 m/s: 15^2 / 60 = 3.75 m/s2.
     /// ```
@@ -119,6 +108,6 @@ impl Approach {
     pub fn drac(&self) -> Option<f64> {
         let closing = self.closing_speed();
         let decel = closing * closing / (2.0 * self.gap);
-        (closing >= LEAST_SPEED && decel.is_finite()).then_some(decel)
+        (closes(closing) && decel.is_finite()).then_some(decel)
     }
 }

@@ -9,17 +9,16 @@
 //!   TTC = max(0, latest begin)   if that lies before the earliest end, and the earliest end after now
 //! ```
 //!
-//! On the road the boxes are aligned with it and two axes do, along and across. [`first_contact`] takes any headings,
-//! in the world: a vehicle that changes lane is turned by a few degrees, which moves a corner by l/2 sin(heading), some
-//! 20 cm; the table's ttc_2d leaves that out because the estimator's corridor does too (reading R7), and because a
-//! future on the road knows no headings.
+//! On the road a box counts with its extents along and across it, as it stands now (reading R7), and two axes do. A future
+//! on the road knows no headings, so a box turned by neither 0 nor 90 degrees fills its corners there: contact is found
+//! early, never late. [`first_contact`] takes any headings, in the world, and is exact.
 //!
 //! Sources: Kay & Kajiya (1986) for slabs; Ericson, "Real-Time Collision Detection" (2005), 4.4 and 5.5, for separating
 //! axes of moving boxes. Left out: accelerations, turning, the curvature of the road.
 
-use super::LEAST_SPEED;
 use crate::ego_motion::Start;
 use crate::{Ego, Future};
+use zhuyi_core::approach::LEAST_CLOSING_SPEED;
 use zhuyi_core::{Footprint, Pose};
 
 /// A box in the plane that keeps its velocity and its heading.
@@ -57,7 +56,7 @@ impl MovingBox {
 }
 
 /// [s] the first contact of two boxes, 0 if they overlap now; None if they never do, or where their shadows close by less
-/// than [`LEAST_SPEED`].
+/// than 1 mm/s.
 ///
 /// A car of 4 m x 2 m at 10 m/s, and a second one that crosses from the right at 5 m/s, 20 m ahead and 14 m to the
 /// side. Along: 20 - 3 = 17 m to its side take 1.7 s, 20 + 3 = 23 m take 2.3 s. Across: 14 - 3 = 11 m take 2.2 s. So
@@ -87,20 +86,23 @@ pub fn first_contact(one: &MovingBox, other: &MovingBox) -> Option<f64> {
     first_from_now(overlap?)
 }
 
-/// [s] the first contact on the road, both boxes aligned with it, the ego at its offset; as [`first_contact`].
+/// [s] the first contact on the road of both boxes as they stand on it now, the ego at its offset; as [`first_contact`].
 pub fn on_the_road(ego: &Ego, actor: Footprint, future: &Future<'_>) -> Option<f64> {
-    let present = future.start()?;
+    let (present, actor) = (future.start()?, future.box_at(actor, 0.0));
+    let (length, width) = (
+        ego.footprint.half_lengths(actor),
+        ego.footprint.half_widths(actor),
+    );
     let speed = Start::new(ego.speed, ego.accel).speed;
-    let length = f64::midpoint(ego.footprint.length, actor.length);
-    let width = f64::midpoint(ego.footprint.width, actor.width);
     let along = shadow(present.s - ego.s, present.speed - speed, length);
     let across = shadow(present.d - ego.d, present.d_rate, width);
     first_from_now(both(along, across)?)
 }
 
-/// As [`slab`], where shadows that move by less than [`LEAST_SPEED`] against each other do not move.
+/// As [`slab`], where shadows that move by less than [`LEAST_CLOSING_SPEED`] against each other do not move.
 fn shadow(distance: f64, rate: f64, reach: f64) -> Option<Interval> {
-    let rate = if rate.abs() < LEAST_SPEED { 0.0 } else { rate };
+    let moves = rate.abs() >= LEAST_CLOSING_SPEED;
+    let rate = if moves { rate } else { 0.0 };
     slab(distance, rate, reach)
 }
 
@@ -110,7 +112,7 @@ type Interval = (f64, f64);
 const ALWAYS: Interval = (f64::NEG_INFINITY, f64::INFINITY);
 
 /// When |`distance` + `rate` t| < `reach`.
-pub(super) fn slab(distance: f64, rate: f64, reach: f64) -> Option<Interval> {
+fn slab(distance: f64, rate: f64, reach: f64) -> Option<Interval> {
     if rate == 0.0 {
         return (distance.abs() < reach).then_some(ALWAYS);
     }

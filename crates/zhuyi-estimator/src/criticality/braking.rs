@@ -157,7 +157,11 @@ impl Approach {
             }
             Response::Hold => self.held(),
         };
-        self.first_contact(&motion).map_or(0.0, |time| {
+        let contact = match response {
+            Response::BrakeNow => self.first_contact(&motion),
+            Response::Hold => self.ttc_with_accelerations(),
+        };
+        contact.map_or(0.0, |time| {
             (motion.speed(time) - self.actor_speed_at(time)).max(0.0)
         })
     }

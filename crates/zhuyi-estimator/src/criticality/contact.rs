@@ -10,13 +10,14 @@
 //! is no contact. Source: Jansson, "Collision Avoidance Theory" (2005), chapter 5, for held accelerations; that
 //! vehicles stop and stay is reading R2.
 
-use super::{Approach, LEAST_SPEED};
+use super::Approach;
 use crate::ego_motion::{EgoMotion, Phase, Start};
 use crate::quadratic::Quadratic;
+use zhuyi_core::approach::LEAST_CLOSING_SPEED;
 
 impl Approach {
     /// [s] time to collision with both accelerations held, each until its vehicle stands; None if there is none, or where
-    /// the two move alike: the gap closes by less than [`LEAST_SPEED`], and within a second still does.
+    /// the two move alike: the gap closes by less than 1 mm/s, and within a second still does.
     ///
     /// 8 m apart, both at 10 m/s, the actor brakes at 4 m/s2: 8 = 4 t^2/2 after 2 s, while it still drives at 2 m/s.
     /// At 18.5 m it stands, after 2.5 s and 12.5 m, before the ego has come 31 m in 3.1 s.
@@ -34,11 +35,12 @@ impl Approach {
         self.first_contact(&self.held())
     }
 
-    /// Whether speeds, and speeds a second later, differ by less than [`LEAST_SPEED`].
+    /// Whether speeds, and speeds a second later, differ by less than [`LEAST_CLOSING_SPEED`].
     fn moves_alike(&self) -> bool {
         let second = 1.0;
         let later = self.held().speed(second) - self.actor_speed_at(second);
-        self.closing_speed().abs() < LEAST_SPEED && later.abs() < LEAST_SPEED
+        let alike = |speed: f64| speed.abs() < LEAST_CLOSING_SPEED;
+        alike(self.closing_speed()) && alike(later)
     }
 
     /// The ego's motion with its acceleration held.

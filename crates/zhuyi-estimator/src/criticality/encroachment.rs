@@ -1,7 +1,7 @@
 //! Post-encroachment time: how narrowly two vehicles miss each other at the places that both use.
 //!
 //! Each point x of the ego's path is used by the ego from its front bumper to its rear bumper, and by the actor while
-//! its body covers x and the bodies overlap sideways. PET is the least time, over all points, from when the first has
+//! its body covers x and the bodies overlap sideways, each body with its extents as it stands (reading R7). PET is the least time, over all points, from when the first has
 //! left to when the second arrives:
 //!
 //! ```text
@@ -19,12 +19,11 @@
 //! arrive from `now` on, and the actor within the horizon. It says nothing of fault: a follower has one too. The
 //! lateral margin of the corridor plays no part: what never overlaps shares nothing.
 
-use super::LEAST_SPEED;
-use super::boxes::slab;
 use crate::ego_motion::{EgoMotion, Start};
 use crate::quadratic::Quadratic;
 use crate::{Ego, Future};
-use zhuyi_core::Footprint;
+use zhuyi_core::approach::LEAST_CLOSING_SPEED;
+use zhuyi_core::{Extent, Footprint};
 
 /// [s] the post-encroachment time; 0 for a collision, None if no place is shared.
 ///
@@ -50,18 +49,28 @@ pub fn pet(ego: &Ego, actor: Footprint, future: &Future<'_>, horizon: f64) -> Op
     let mut pair = Pair {
         ego: start,
         held: EgoMotion::held(start),
-        reach: f64::midpoint(ego.footprint.length, actor.length),
+        ego_box: ego.footprint,
         least: None,
     };
-    let width = f64::midpoint(ego.footprint.width, actor.width);
     let first = future.across_index(0.0);
     for (index, piece) in future.across.iter().enumerate().skip(first) {
         let begin = piece.time - future.now;
         let next = future.across.get(index + 1);
         let end = next.map_or(horizon, |next| (next.time - future.now).min(horizon));
-        if let Some((from, to)) = slab(piece.d - ego.d, piece.d_rate, width) {
-            let from = (begin + from).max(begin).max(0.0);
-            if pair.stay(ego.s, future, from, (begin + to).min(end)) == Outcome::Collision {
+        for (from, to, extent) in future.extents_within(actor, begin.max(0.0), end) {
+            let aside = Line {
+                at_start: piece.d - ego.d + (from - begin) * piece.d_rate,
+                rate: piece.d_rate,
+            };
+            let reach = Line {
+                at_start: pair.half_widths(&extent, from),
+                rate: extent.across_rate,
+            };
+            let stay = aside.within(&reach, to - from);
+            if let Some((enters, leaves)) = stay
+                && pair.stay(ego.s, future, &extent, (from + enters, from + leaves))
+                    == Outcome::Collision
+            {
                 return Some(0.0);
             }
         }
@@ -70,6 +79,33 @@ pub fn pet(ego: &Ego, actor: Footprint, future: &Future<'_>, horizon: f64) -> Op
         }
     }
     pair.least
+}
+
+/// A straight line in the time from its start on.
+#[derive(Clone, Copy, Debug)]
+struct Line {
+    at_start: f64,
+    rate: f64,
+}
+
+impl Line {
+    /// The part of [0, `length`] in which it lies between `reach` and the same below zero.
+    fn within(&self, reach: &Self, length: f64) -> Option<(f64, f64)> {
+        let (mut from, mut to) = (0.0_f64, length);
+        for side in [1.0, -1.0] {
+            let room = reach.at_start - side * self.at_start;
+            let rate = reach.rate - side * self.rate;
+            // When there is room: room + rate t > 0.
+            if rate > 0.0 {
+                from = from.max(-room / rate);
+            } else if rate < 0.0 {
+                to = to.min(-room / rate);
+            } else if room <= 0.0 {
+                return None;
+            }
+        }
+        (from < to).then_some((from, to))
+    }
 }
 
 /// What a stay on the ego's path leads to.
@@ -83,14 +119,24 @@ enum Outcome {
 struct Pair {
     ego: Start,
     held: EgoMotion,
-    /// [m] half of both lengths.
-    reach: f64,
+    ego_box: Footprint,
     least: Option<f64>,
 }
 
 impl Pair {
-    /// Looks at a time in which the bodies overlap sideways.
-    fn stay(&mut self, ego_s: f64, future: &Future<'_>, from: f64, to: f64) -> Outcome {
+    /// [m] half of both widths.
+    fn half_widths(&self, extent: &Extent, time: f64) -> f64 {
+        extent.at(time).1 + self.ego_box.width / 2.0
+    }
+
+    /// Looks at a time in which the bodies overlap sideways and one piece of the half extents holds.
+    fn stay(
+        &mut self,
+        ego_s: f64,
+        future: &Future<'_>,
+        extent: &Extent,
+        (from, to): (f64, f64),
+    ) -> Outcome {
         let (mut start, mut index) = (from, future.along_index(from));
         while start < to {
             let Some(piece) = future.along.get(index) else {
@@ -104,7 +150,12 @@ impl Pair {
                 c2: piece.s_half_accel,
             };
             let ahead = ahead.from(start + future.now - piece.time);
-            if end > start && self.stretch(start, end - start, &ahead) == Outcome::Collision {
+            let reach = Line {
+                at_start: extent.at(start).0 + self.ego_box.length / 2.0,
+                rate: extent.along_rate,
+            };
+            if end > start && self.stretch(start, end - start, &ahead, &reach) == Outcome::Collision
+            {
                 return Outcome::Collision;
             }
             (start, index) = (start.max(end), index + 1);
@@ -112,14 +163,16 @@ impl Pair {
         Outcome::Miss
     }
 
-    /// Looks at one piece of it: `ahead` is how far the actor's centre is ahead of where the ego's was at `now`.
-    fn stretch(&mut self, start: f64, length: f64, ahead: &Quadratic) -> Outcome {
+    /// Looks at one piece of it: `ahead` is how far the actor's centre is ahead of where the ego's was at `now`, `reach`
+    /// half of both lengths.
+    fn stretch(&mut self, start: f64, length: f64, ahead: &Quadratic, reach: &Line) -> Outcome {
         // How far the ego's front has to go to the actor's rear, and its rear to the actor's front.
-        let offset = |by: f64| Quadratic {
-            c0: ahead.c0 + by,
-            ..*ahead
+        let offset = |side: f64| Quadratic {
+            c0: ahead.c0 + side * reach.at_start,
+            c1: ahead.c1 + side * reach.rate,
+            c2: ahead.c2,
         };
-        let (to_rear, to_front) = (offset(-self.reach), offset(self.reach));
+        let (to_rear, to_front) = (offset(-1.0), offset(1.0));
         let gone = self.held.distance(start);
         if to_rear.c0 >= gone {
             self.actor_first(start, length, &to_rear)
@@ -187,7 +240,7 @@ impl Pair {
         Outcome::Miss
     }
 
-    /// [s] when the ego has gone so far; None if never, or by less than [`LEAST_SPEED`] on average.
+    /// [s] when the ego has gone so far; None if never, or by less than [`LEAST_CLOSING_SPEED`] on average.
     fn arrival(&self, distance: f64) -> Option<f64> {
         let Start { speed, accel } = self.ego;
         if distance == 0.0 {
@@ -195,7 +248,7 @@ impl Pair {
         }
         let square = speed * speed + 2.0 * accel * distance;
         let time = 2.0 * distance / (speed + square.sqrt());
-        (square >= 0.0 && distance >= LEAST_SPEED * time).then_some(time)
+        (square >= 0.0 && distance >= LEAST_CLOSING_SPEED * time).then_some(time)
     }
 
     /// When the actor passes a point as fast as the ego does.

@@ -17,7 +17,7 @@
 //! What each looks at: **ttc, thw and drac** at places and speeds at `now`; **ttc_2d** at the lateral motion too;
 //! **ttb, btn and impact_speed** at accelerations too, each held until its vehicle stands; **pet** alone at the future.
 //! All but ttc_2d and pet speak of an actor ahead in the ego's corridor (reading R7) and are None for every other.
-//! Below [`LEAST_SPEED`] nothing closes and nobody drives, so no metric is hours long because two speeds differ in their
+//! Below [`LEAST_CLOSING_SPEED`](zhuyi_core::approach::LEAST_CLOSING_SPEED) nothing closes and nobody drives, so no metric is hours long because two speeds differ in their
 //! last digits. None means undefined; what is merely harmless has its number where the metric has one (btn and impact_speed 0).
 //! For drawing or averaging, a None of ttc and ttb stands for "never", of thw for a standing ego; none is a large
 //! number here.
@@ -44,7 +44,7 @@ pub mod encroachment;
 
 mod contact;
 
-pub use approach::{Approach, LEAST_SPEED, time_to_collision};
+pub use approach::Approach;
 pub use boxes::MovingBox;
 pub use braking::Response;
 

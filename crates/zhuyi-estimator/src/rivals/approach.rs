@@ -18,9 +18,9 @@
 //! Source: TTC: Hayward, "Near-miss determination through use of a scale of danger" (1972). Intrusion: UN R157,
 //! 5.2.5.2 (30 cm over the marking). Left out: accelerations, and the widths of lanes that are not 3.5 m.
 
-use crate::criticality::time_to_collision;
 use crate::{ActorStart, Ego};
 use zhuyi_core::Footprint;
+use zhuyi_core::approach::time_to_collision;
 
 /// How ego and actor stand to each other at t_0.
 #[derive(Clone, Copy, Debug, PartialEq)]

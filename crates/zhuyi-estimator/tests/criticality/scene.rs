@@ -1,7 +1,7 @@
 //! A scene in plain numbers for the tests of this folder, and the shorthands to ask about it.
 
 use proptest::prelude::*;
-use zhuyi_core::{Across, Along, Footprint};
+use zhuyi_core::{Across, Along, Extent, Footprint};
 use zhuyi_estimator::criticality::{Approach, Criticality, Limits, criticality};
 use zhuyi_estimator::{Ego, Future};
 
@@ -17,6 +17,7 @@ pub struct Scene {
     pub ego: Ego,
     pub along: Vec<Along>,
     pub across: Vec<Across>,
+    pub extents: Vec<Extent>,
     pub now: f64,
 }
 
@@ -42,6 +43,7 @@ impl Scene {
                 d: 0.0,
                 d_rate: 0.0,
             }],
+            extents: Vec::new(),
             now: 0.0,
         }
     }
@@ -56,11 +58,17 @@ impl Scene {
         self
     }
 
+    /// The actor's box keeps standing on the path with these extents.
+    pub fn standing(mut self, extent: Footprint) -> Self {
+        self.extents = vec![Extent::held(extent)];
+        self
+    }
+
     pub fn future(&self) -> Future<'_> {
         Future {
             along: &self.along,
             across: &self.across,
-            extents: &[],
+            extents: &self.extents,
             known_until: self.now + 20.0,
             now: self.now,
         }

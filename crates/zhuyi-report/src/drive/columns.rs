@@ -1,8 +1,8 @@
 //! The columns of a drive, gathered row by row.
 
 use zhuyi_core::Body as Truth;
+use zhuyi_core::approach::time_to_collision;
 use zhuyi_core::{ActorId, FrameRates};
-use zhuyi_estimator::criticality::time_to_collision;
 use zhuyi_estimator::{Demand, Ego, Estimate, Estimator};
 use zhuyi_lab::compare::models::Panel;
 use zhuyi_perception::View;
