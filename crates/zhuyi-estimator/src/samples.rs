@@ -1,9 +1,9 @@
 //! A future given as samples (t, s, d, v), as recordings and predictors deliver them (reading R10).
 //!
 //! Between two samples s, d and v are each interpolated linearly; past the last one the actor keeps its last speed
-//! and offset.
+//! and offset. A box that turns against the path has its half extents through [`extents`].
 
-use zhuyi_core::{Across, Along, Trajectory};
+use zhuyi_core::{Across, Along, Extent, Footprint, Trajectory};
 
 /// One instant of an actor's future.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,6 +83,76 @@ pub fn trajectory(samples: &[Sample]) -> Result<Trajectory, SampleError> {
     })
 }
 
+/// Returns the half extents of a box through what it is at increasing times: as it stands on the path
+/// ([`Footprint::turned`] by its heading against it), linear in between, and from the last one on as it stands then. Empty
+/// where every one is `actor` itself, aligned with the path; times at which it stands as before begin no piece. For
+/// [`Trajectory::extents`].
+///
+/// A bus of 12 m x 2.5 m that turns to stand across the path, and stays so:
+/// ```
+/// use std::f64::consts::FRAC_PI_2;
+/// use zhuyi_core::{Footprint, Trajectory};
+/// use zhuyi_estimator::samples::{Sample, extents, trajectory};
+/// let bus = Footprint { length: 12.0, width: 2.5 };
+/// let turns = [(0.0, 0.0), (2.0, FRAC_PI_2), (3.0, FRAC_PI_2), (4.0, FRAC_PI_2)];
+/// let boxes = turns.map(|(time, turn)| (time, bus.turned(turn)));
+/// let samples = [Sample { time: 0.0, s: 50.0, d: 0.0, v: 0.0 }];
+/// let future = Trajectory { extents: extents(bus, boxes)?, ..trajectory(&samples)? };
+/// assert_eq!(future.extents.len(), 2);
+/// let near = |found: (f64, f64), along: f64, across: f64| {
+///     (found.0 - along).abs() < 1e-12 && (found.1 - across).abs() < 1e-12
+/// };
+/// assert!(near(future.extents[0].at(1.0), 3.625, 3.625) && near(future.extents[1].at(9.0), 1.25, 6.0));
+/// assert!(extents(bus, [(0.0, bus), (1.0, bus)])?.is_empty());
+/// # Ok::<(), zhuyi_estimator::samples::SampleError>(())
+/// ```
+///
+/// # Errors
+/// If a number is not finite, or times do not increase.
+pub fn extents(
+    actor: Footprint,
+    boxes: impl IntoIterator<Item = (f64, Footprint)>,
+) -> Result<Vec<Extent>, SampleError> {
+    let mut pieces: Vec<Extent> = Vec::new();
+    let mut before: Option<(f64, Footprint)> = None;
+    for (place, (time, here)) in boxes.into_iter().enumerate() {
+        let numbers = [time, here.length, here.width];
+        if !numbers.iter().all(|number| number.is_finite()) {
+            return Err(SampleError::NotFinite(place));
+        }
+        let piece = Extent {
+            time,
+            ..Extent::held(here)
+        };
+        match before {
+            Some((earlier, _)) if time <= earlier => return Err(SampleError::NotLater(place)),
+            Some((_, there)) if there == here => {}
+            Some((earlier, there)) => {
+                let rate = |from: f64, to: f64| (to - from) / 2.0 / (time - earlier);
+                let turns = Extent {
+                    time: earlier,
+                    along_rate: rate(there.length, here.length),
+                    across_rate: rate(there.width, here.width),
+                    ..Extent::held(there)
+                };
+                // The box as it stood since the last time, or from an earlier one on.
+                if pieces.last().is_some_and(|last| last.time == earlier) {
+                    pieces.pop();
+                }
+                pieces.extend([turns, piece]);
+            }
+            None => pieces.push(piece),
+        }
+        before = Some((time, here));
+    }
+    if let [only] = pieces[..]
+        && only.at(only.time) == (actor.length / 2.0, actor.width / 2.0)
+    {
+        pieces.clear();
+    }
+    Ok(pieces)
+}
+
 /// The last sample of a list that can be used.
 fn check(samples: &[Sample]) -> Result<Sample, SampleError> {
     let mut before = f64::NEG_INFINITY;
@@ -103,7 +173,8 @@ fn check(samples: &[Sample]) -> Result<Sample, SampleError> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Sample, SampleError, trajectory};
+    use super::{Sample, SampleError, extents, trajectory};
+    use zhuyi_core::{Extent, Footprint};
 
     #[test]
     fn hand_broken_samples_are_refused() {
@@ -122,5 +193,49 @@ mod tests {
             trajectory(&[sample(1.0, 0.0), sample(1.0, 1.0)]),
             Err(SampleError::NotLater(1))
         );
+    }
+
+    /// Stands as it is up to 1 s, turns until 3 s in two steps of different speed, stands again, and turns once more.
+    #[test]
+    fn hand_half_extents_have_a_piece_per_turn_and_one_per_stand() {
+        let bus = Footprint {
+            length: 12.0,
+            width: 2.0,
+        };
+        let stood = |length: f64, width: f64| Footprint { length, width };
+        let boxes = [
+            (0.0, bus),
+            (1.0, bus),
+            (2.0, stood(10.0, 4.0)),
+            (3.0, stood(4.0, 8.0)),
+            (4.0, stood(4.0, 8.0)),
+            (6.0, bus),
+        ];
+        let piece = |time, along, along_rate, across, across_rate| Extent {
+            time,
+            along,
+            along_rate,
+            across,
+            across_rate,
+        };
+        let expected = [
+            piece(0.0, 6.0, 0.0, 1.0, 0.0),
+            piece(1.0, 6.0, -1.0, 1.0, 1.0),
+            piece(2.0, 5.0, -3.0, 2.0, 2.0),
+            piece(3.0, 2.0, 0.0, 4.0, 0.0),
+            piece(4.0, 2.0, 2.0, 4.0, -1.5),
+            piece(6.0, 6.0, 0.0, 1.0, 0.0),
+        ];
+        assert_eq!(extents(bus, boxes).unwrap(), expected);
+        let always = [(0.0, stood(4.0, 8.0)), (1.0, stood(4.0, 8.0))];
+        assert_eq!(
+            extents(bus, always).unwrap(),
+            [piece(0.0, 2.0, 0.0, 4.0, 0.0)]
+        );
+        assert_eq!(extents(bus, []), Ok(Vec::new()));
+        let broken = [(0.0, bus), (0.0, bus)];
+        assert_eq!(extents(bus, broken), Err(SampleError::NotLater(1)));
+        let broken = [(0.0, stood(f64::NAN, 1.0))];
+        assert_eq!(extents(bus, broken), Err(SampleError::NotFinite(0)));
     }
 }
