@@ -24,11 +24,14 @@ pub enum Reaction {
     Within(f64),
     /// Even to react at once is too late.
     TooLate,
+    /// The model's source does not speak of such an actor: it has no answer, which is neither that there is danger nor that
+    /// there is none.
+    NotDefined,
 }
 
 impl Reaction {
     /// [s] the largest latency with which a camera that runs at `current_latency` (l_0) reacts in time, if K =
-    /// `confirm_frames` confirm an actor; not rounded to a grid. None without danger and when it is too late.
+    /// `confirm_frames` confirm an actor; not rounded to a grid. None without danger, when it is too late and where the model is not defined.
     ///
     /// t_r = 0.7 s, l_0 = 0.1 s, K = 5: (0.7 + 0.5) / 6 = 0.2 s. At t_r = 0.05 s nothing is left for confirmation.
     /// ```
@@ -56,7 +59,8 @@ pub trait SafetyModel {
 }
 
 impl Estimator {
-    /// What another `model` asks for, in the terms of this one: the largest latency of the grid that reacts in time.
+    /// What another `model` asks for, in the terms of this one: the largest latency of the grid that reacts in time. None
+    /// where the model is [not defined](Reaction::NotDefined) for such an actor.
     ///
     /// ```
     /// # use zhuyi_core::{Across, Along, Footprint};
@@ -79,7 +83,7 @@ impl Estimator {
     /// # let across = [Across { time: 0.0, d: 0.0, d_rate: 0.0 }];
     /// # let future = Future { along: &along, across: &across, extents: &[], known_until: 20.0, now: 0.0 };
     /// // (0.5 + 5 x 0.1) / 6 = 0.1667 s; the grid has 0.142 s below it.
-    /// let estimate = Estimator::new(Params::default()).by_model(&HalfSecond, &ego, car, &future, 0.1);
+    /// let estimate = Estimator::new(Params::default()).by_model(&HalfSecond, &ego, car, &future, 0.1).unwrap();
     /// assert_eq!((estimate.state, estimate.latency), (State::Tolerable, Some(0.142)));
     /// ```
     pub fn by_model(
@@ -89,8 +93,9 @@ impl Estimator {
         actor: Footprint,
         future: &Future<'_>,
         current_latency: f64,
-    ) -> Estimate {
+    ) -> Option<Estimate> {
         let (state, latency) = match model.reaction(ego, actor, future) {
+            Reaction::NotDefined => return None,
             Reaction::NoDanger => (State::None, Some(self.largest())),
             _ if Start::new(ego.speed, ego.accel).stands() => {
                 (State::Standing, Some(self.largest()))
@@ -107,13 +112,13 @@ impl Estimator {
                 }
             }
         };
-        Estimate {
+        Some(Estimate {
             state,
             latency,
             t_n: None,
             binding: None,
             extrapolated: future.extrapolated(self.params().horizon),
-        }
+        })
     }
 }
 

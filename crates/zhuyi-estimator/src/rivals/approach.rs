@@ -1,7 +1,7 @@
 //! What most rivals look at: one actor beside or ahead of the ego at t_0, both going on as they do.
 //!
 //! ```text
-//!   gap      = s_a - s_e - (length_e + length_a)/2          bumper to bumper
+//!   gap      = s_a - s_e - (length_e + length_a)/2          bumper to bumper, boxes as they stand (reading R7)
 //!   edge_gap = |d_a - d_e| - (width_e + width_a)/2          side to side
 //!   TTC      = gap / (v_e - v_a)                            if the gap closes
 //! ```
@@ -16,11 +16,10 @@
 //! | TTC | time to collision | s |
 //!
 //! Source: TTC: Hayward, "Near-miss determination through use of a scale of danger" (1972). Intrusion: UN R157,
-//! 5.2.5.2 (30 cm over the marking). Left out: accelerations, and the widths of lanes that are not 3.5 m.
+//! 5.2.5.2 (30 cm over the marking); this rule of who counts is the models' own, beside the one of [`zhuyi_core::approach`]. Left out: accelerations, and the widths of lanes that are not 3.5 m.
 
 use crate::{ActorStart, Ego};
-use zhuyi_core::Footprint;
-use zhuyi_core::approach::time_to_collision;
+use zhuyi_core::{Footprint, approach};
 
 /// How ego and actor stand to each other at t_0.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +37,8 @@ pub struct Approach {
 }
 
 impl Approach {
-    /// From the ego and the actor at t_0.
+    /// From the ego and the actor at t_0, whose box stands on the path as `actor` says
+    /// ([`Future::box_at`](crate::Future::box_at)).
     ///
     /// An ego of 4 m x 2 m at 20 m/s, a car of the same size 34 m ahead (centres) at 12 m/s and 3.5 m to the left,
     /// which drifts over at 0.5 m/s: 30 m of gap close at 8 m/s, so TTC = 3.75 s; the 1.5 m between the sides
@@ -56,24 +56,24 @@ impl Approach {
     /// assert!((approach.time_to_edge_gap(0.45).unwrap() - 2.1).abs() < 1e-12);
     /// ```
     pub fn new(ego: &Ego, actor: Footprint, start: &ActorStart) -> Self {
-        let reach = f64::midpoint(ego.footprint.length, actor.length);
         let (ahead, aside) = (start.s - ego.s, start.d - ego.d);
         Self {
-            gap: ahead - reach,
+            gap: approach::gap(ahead, ego.footprint, actor),
             closing_speed: ego.speed.max(0.0) - start.speed,
-            edge_gap: aside.abs() - f64::midpoint(ego.footprint.width, actor.width),
+            edge_gap: approach::edge_gap(aside, ego.footprint, actor),
             inward_speed: if aside == 0.0 {
                 -start.d_rate.abs()
             } else {
                 -start.d_rate * aside.signum()
             },
-            behind: ahead < -reach,
+            behind: ahead < -ego.footprint.half_lengths(actor),
         }
     }
 
-    /// [s] TTC; none when the gap does not close, or there is none because they are side by side.
+    /// [s] TTC ([`approach::time_to_collision`]); none when the gap does not close, or there is none because they are side
+    /// by side.
     pub fn time_to_collision(&self) -> Option<f64> {
-        time_to_collision(self.gap, self.closing_speed).filter(|_| self.gap >= 0.0)
+        approach::time_to_collision(self.gap, self.closing_speed)
     }
 
     /// [s] until the edge gap is no larger than `edge_gap`, zero if it is already; none if it never is.
@@ -85,6 +85,53 @@ impl Approach {
         }
     }
 }
+
+/// Which way an actor goes, against the ego's path at t_0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Direction {
+    /// It stands: it is slower than 0.1 m/s, whatever its heading.
+    Standing,
+    /// Along the path, in the ego's direction.
+    Same,
+    /// Along the path, towards the ego.
+    Opposite,
+    /// Across the path: its motion is nearer to square than to along it, which begins at 45 degrees.
+    Crossing,
+}
+
+impl Direction {
+    /// Of an actor at t_0, by its velocity: vehicles move where they point.
+    ///
+    /// ```
+    /// use zhuyi_estimator::ActorStart;
+    /// use zhuyi_estimator::rivals::Direction;
+    /// let of = |speed: f64, d_rate: f64| {
+    ///     Direction::of(&ActorStart { s: 50.0, speed, accel: 0.0, d: 0.0, d_rate })
+    /// };
+    /// assert_eq!([of(10.0, 2.0), of(-10.0, 2.0)], [Direction::Same, Direction::Opposite]);
+    /// assert_eq!([of(1.0, -1.1), of(0.05, 0.05)], [Direction::Crossing, Direction::Standing]);
+    /// ```
+    pub fn of(start: &ActorStart) -> Self {
+        let (along, across) = (start.speed, start.d_rate);
+        if along * along + across * across < STANDING * STANDING {
+            Self::Standing
+        } else if across.abs() > along.abs() {
+            Self::Crossing
+        } else if along < 0.0 {
+            Self::Opposite
+        } else {
+            Self::Same
+        }
+    }
+
+    /// Returns whether the actor drives ahead of the ego as a lead does, or stands there: what every model is defined for.
+    pub fn is_a_leads(self) -> bool {
+        matches!(self, Self::Standing | Self::Same)
+    }
+}
+
+/// [m/s] slower is standing, as for the ego (reading R8b).
+const STANDING: f64 = 0.1;
 
 /// When an actor is in the ego's lane.
 #[derive(Clone, Copy, Debug, PartialEq)]

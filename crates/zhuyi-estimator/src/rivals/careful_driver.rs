@@ -20,11 +20,14 @@
 //! The onset is found by bisection over the motions in closed form. No danger if holding on for 20 s touches nothing,
 //! or the actor is behind the ego at t_0.
 //!
+//! The guidance speaks of vehicles that cut in, cut out or decelerate; for one that comes towards the ego or crosses its path
+//! it is not defined.
+//!
 //! Source: UN R157, guidance on critical traffic disturbance scenarios (annex 4, appendix 3 of the 2020 text; annex 3
 //! since the 01 series). Left out: its drag of the engine during the delay, and steering.
 
-use super::at_start;
 use super::course::{Brakes, Course, HORIZON, largest_clear};
+use super::{Direction, at_start};
 use crate::ego_motion::Start;
 use crate::{ActorStart, Ego, Future, Reaction, SafetyModel};
 use zhuyi_core::Footprint;
@@ -78,12 +81,16 @@ impl SafetyModel for CarefulDriver {
     /// ```
     fn reaction(&self, ego: &Ego, actor: Footprint, future: &Future<'_>) -> Reaction {
         at_start(future, |start| {
-            let reach = f64::midpoint(ego.footprint.length, actor.length);
+            let actor = future.box_at(actor, 0.0);
+            let reach = ego.footprint.half_lengths(actor);
             let ahead = start.s - ego.s;
             if ahead < -reach {
                 return None;
             }
-            let half_widths = f64::midpoint(ego.footprint.width, actor.width);
+            if !Direction::of(start).is_a_leads() {
+                return Some(Reaction::NotDefined);
+            }
+            let half_widths = ego.footprint.half_widths(actor);
             let window = overlap(start, ego.d, half_widths)?;
             let leader = Course::steady(start.speed);
             let speed = Start::new(ego.speed, ego.accel);

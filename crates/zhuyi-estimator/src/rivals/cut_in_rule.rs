@@ -19,11 +19,14 @@
 //! ego's lane at t_0, or will be before the gap is closed when it keeps its lateral speed of t_0 ([`Lane`]). Every
 //! other actor, one alongside among them, is no danger to this rule.
 //!
+//! Who comes towards the ego or crosses its path is no vehicle that cuts in: not defined. (5.2.5.3 speaks of pedestrians who
+//! cross, without a formula.)
+//!
 //! Source: UN R157 (2020/81), 5.2.5.2 and, for the distance, 5.2.3.3; AFGBV (Germany), annex 1, part 2, 10.2.5, and
 //! (EU) 2022/1426, annex III, 1.4.2, have the same rule with tau = 0.1 s + 0.3 s/2. Left out: that the regulation
 //! asks for 5.2.5.2 only where the intruder was visible for 0.72 s before.
 
-use super::{Approach, Lane, at_start};
+use super::{Approach, Direction, Lane, at_start};
 use crate::{Ego, Future, Reaction, SafetyModel};
 use zhuyi_core::Footprint;
 
@@ -94,7 +97,13 @@ impl SafetyModel for CutInRule {
     /// ```
     fn reaction(&self, ego: &Ego, actor: Footprint, future: &Future<'_>) -> Reaction {
         at_start(future, |start| {
-            let approach = Approach::new(ego, actor, start);
+            let approach = Approach::new(ego, future.box_at(actor, 0.0), start);
+            if approach.behind {
+                return None;
+            }
+            if !Direction::of(start).is_a_leads() {
+                return Some(Reaction::NotDefined);
+            }
             let collision = self
                 .lane
                 .time_to_collision(&approach, ego.footprint.width)?;

@@ -14,6 +14,19 @@
 //! [`Reaction::latency`](crate::Reaction::latency) and [`Estimator::by_model`](crate::Estimator::by_model) turn t_r into
 //! a latency by the one model of confirmation. [`cut_in`] plays whole cut-ins, to check three of them against others.
 //!
+//! **Who is covered.** A model answers for the actors that its source speaks of, and
+//! [`Reaction::NotDefined`](crate::Reaction::NotDefined) for others; [`Direction`] says when an actor comes towards the ego
+//! or crosses. A standing actor is an obstacle to all, however it stands; one behind the ego is no danger to any.
+//!
+//! | model | comes towards the ego | crosses | because |
+//! |---|---|---|---|
+//! | `rss`, `rss-capped` | defined | not defined | safe distance in opposite directions; who crosses is judged by routes and right of way, which a path does not tell |
+//! | `sff` | not defined | not defined | the source claims sets for any motion, this reading for braking along the ego's path alone |
+//! | `r157-cut-in` | not defined | not defined | 5.2.5.2 speaks of a vehicle that cuts in, on roads that keep opposite directions apart (1.1) |
+//! | `r157-driver` | not defined | not defined | the guidance speaks of cut-in, cut-out and deceleration |
+//! | `ttc` | defined | defined | TTC is defined for any two on collision course |
+//! | `pylot`, `visibility` | defined | defined | look at the ego's speed and at how far it sees |
+//!
 //! All brake by 6 m/s2 unless their source says otherwise. What they share is in [`approach`]; what each leaves out
 //! stands in its file. All look at the actor as it is at t_0 and none at the rest of its future, as their sources do.
 //! [`Rivals`] holds one of each.
@@ -30,7 +43,7 @@ pub mod visibility;
 
 mod course;
 
-pub use approach::{Approach, Lane};
+pub use approach::{Approach, Direction, Lane};
 pub use careful_driver::CarefulDriver;
 pub use cut_in_rule::CutInRule;
 pub use pylot::PylotDeadline;

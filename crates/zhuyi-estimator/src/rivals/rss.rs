@@ -11,14 +11,16 @@
 //! lateral distance the other's response time stays what it is assumed to be.
 //!
 //! Source: Shalev-Shwartz, Shammah, Shashua, "On a Formal Model of Safe and Scalable Self-driving Cars" (2017,
-//! arXiv 1708.06374): safe longitudinal distance (same direction), safe lateral distance, dangerous situation; the cap
-//! on the speed is that of Intel's ad-rss-lib. Left out: opposite directions, intersections, occlusion, unstructured roads. An actor
-//! behind the ego is no danger: to keep that distance is its own duty.
+//! arXiv 1708.06374): safe longitudinal distance (same and opposite directions), safe lateral distance, dangerous situation; the
+//! cap on the speed is that of Intel's ad-rss-lib. An actor that comes towards the ego is taken for the one in the wrong lane.
+//! One that crosses the path ([`Direction`]) is not defined: the source judges it by the geometry of two routes and the right
+//! of way. Left out: intersections, occlusion, unstructured roads. An actor behind the ego is no danger: to keep that distance
+//! is its own duty.
 
 pub mod lateral;
 pub mod longitudinal;
 
-use super::{Approach, at_start};
+use super::{Approach, Direction, at_start};
 use crate::{Ego, Future, Reaction, SafetyModel};
 use zhuyi_core::Footprint;
 
@@ -37,6 +39,9 @@ pub struct Rss {
     pub least_brake: f64,
     /// [m/s2] hardest braking of the one ahead (6).
     pub most_brake: f64,
+    /// [m/s2] least braking of an ego in its correct lane before one that comes towards it (3, ad-rss-lib's, as the set below
+    /// has none).
+    pub correct_brake: f64,
     /// [m/s2] largest lateral acceleration while responding (1).
     pub lateral_accel: f64,
     /// [m/s2] least lateral braking (1).
@@ -54,6 +59,7 @@ impl Default for Rss {
             accel: 3.0,
             least_brake: 6.0,
             most_brake: 6.0,
+            correct_brake: 3.0,
             lateral_accel: 1.0,
             lateral_brake: 1.0,
             lateral_margin: 0.3,
@@ -84,12 +90,18 @@ impl SafetyModel for Rss {
 
     fn reaction(&self, ego: &Ego, actor: Footprint, future: &Future<'_>) -> Reaction {
         at_start(future, |start| {
-            let approach = Approach::new(ego, actor, start);
+            let approach = Approach::new(ego, future.box_at(actor, 0.0), start);
             if approach.behind {
                 return None;
             }
-            let along =
-                self.longitudinal_response(approach.gap, ego.speed.max(0.0), start.speed.max(0.0));
+            let (gap, speed) = (approach.gap, ego.speed.max(0.0));
+            let along = match Direction::of(start) {
+                Direction::Crossing => return Some(Reaction::NotDefined),
+                Direction::Opposite => self.opposite_response(gap, speed, -start.speed),
+                Direction::Same | Direction::Standing => {
+                    self.longitudinal_response(gap, speed, start.speed.max(0.0))
+                }
+            };
             // The ego keeps its offset, so its own lateral speed is zero.
             let across = self.lateral_response(approach.edge_gap, 0.0, approach.inward_speed);
             Some(laxer(along, across))
@@ -100,6 +112,7 @@ impl SafetyModel for Rss {
 /// The answer of the axis that leaves more time.
 fn laxer(one: Reaction, other: Reaction) -> Reaction {
     match (one, other) {
+        (Reaction::NotDefined, _) | (_, Reaction::NotDefined) => Reaction::NotDefined,
         (Reaction::NoDanger, _) | (_, Reaction::NoDanger) => Reaction::NoDanger,
         (Reaction::TooLate, answer) | (answer, Reaction::TooLate) => answer,
         (Reaction::Within(one), Reaction::Within(other)) => Reaction::Within(one.max(other)),

@@ -25,11 +25,11 @@
 //! 2019); DriveWorks documentation, "Safety Force Field". They leave the procedure and its bounds open; the default
 //! brakes by 6 m/s2 sharp, as the other rivals do. Left out: the force itself (the gradient along which controls are
 //! constrained), steering as part of a procedure, claimed sets that grow with time for uncertainty of control, and
-//! procedures that follow the road. Left out of this reading too, and on the unsafe side: an actor without forward speed
-//! along the path stands in it (an oncoming one is a standing one, and one that crosses square to it never comes in).
+//! procedures that follow the road. The source claims sets for any actor; this reading has none for one that comes towards the
+//! ego or crosses its path ([`Direction`]), and is not defined for it.
 
-use super::at_start;
 use super::course::{Brakes, Course, HORIZON, largest_clear};
+use super::{Direction, at_start};
 use crate::ego_motion::Start;
 use crate::{ActorStart, Ego, Future, Reaction, SafetyModel};
 use zhuyi_core::Footprint;
@@ -72,12 +72,16 @@ impl SafetyModel for SafetyForceField {
     /// ```
     fn reaction(&self, ego: &Ego, actor: Footprint, future: &Future<'_>) -> Reaction {
         at_start(future, |start| {
-            let reach = f64::midpoint(ego.footprint.length, actor.length);
+            let actor = future.box_at(actor, 0.0);
+            let reach = ego.footprint.half_lengths(actor);
             let ahead = start.s - ego.s;
             if ahead < -reach {
                 return None;
             }
-            let half_widths = f64::midpoint(ego.footprint.width, actor.width);
+            if !Direction::of(start).is_a_leads() {
+                return Some(Reaction::NotDefined);
+            }
+            let half_widths = ego.footprint.half_widths(actor);
             let window = self.overlap(start, ego.d, half_widths)?;
             let speed = Start::new(ego.speed, ego.accel);
             let braking =

@@ -9,14 +9,16 @@
 //! | theta | threshold, below which a situation is critical | s |
 //!
 //! No danger where the gap does not close, or the actor is neither in the ego's lane nor enters it before the gap is
-//! closed ([`Lane`]).
+//! closed ([`Lane`]). One that crosses leaves the lane again: for it TTC is that of the two boxes with both velocities held
+//! ([`on_the_road`]), and it is no danger where they do not meet.
 //!
 //! Source: TTC: Hayward (1972). 2 s is the TTC from which the competent careful driver of UN R157 takes a cut-in for a
 //! risk; studies of conflicts use 1.5 s as well. Left out: everything but the two speeds, so how hard the ego can
 //! brake, and that a standing obstacle at 30 m/s needs more than 2 s.
 
 use super::cut_in_rule::within;
-use super::{Approach, Lane, at_start};
+use super::{Approach, Direction, Lane, at_start};
+use crate::criticality::boxes::on_the_road;
 use crate::{Ego, Future, Reaction, SafetyModel};
 use zhuyi_core::Footprint;
 
@@ -57,10 +59,16 @@ impl SafetyModel for TtcThreshold {
     /// ```
     fn reaction(&self, ego: &Ego, actor: Footprint, future: &Future<'_>) -> Reaction {
         at_start(future, |start| {
-            let approach = Approach::new(ego, actor, start);
-            let collision = self
-                .lane
-                .time_to_collision(&approach, ego.footprint.width)?;
+            let approach = Approach::new(ego, future.box_at(actor, 0.0), start);
+            if approach.behind {
+                return None;
+            }
+            let collision = if Direction::of(start) == Direction::Crossing {
+                on_the_road(ego, actor, future)?
+            } else {
+                self.lane
+                    .time_to_collision(&approach, ego.footprint.width)?
+            };
             Some(within(collision - self.threshold))
         })
     }

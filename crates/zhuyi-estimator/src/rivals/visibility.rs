@@ -62,7 +62,7 @@ impl SafetyModel for VisibilityBudget {
 
     fn reaction(&self, ego: &Ego, actor: Footprint, future: &Future<'_>) -> Reaction {
         at_start(future, |start| {
-            let approach = Approach::new(ego, actor, start);
+            let approach = Approach::new(ego, future.box_at(actor, 0.0), start);
             if ego.speed <= 0.0 || approach.gap < 0.0 {
                 return None;
             }

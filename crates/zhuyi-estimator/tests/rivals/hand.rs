@@ -145,6 +145,7 @@ fn hand_the_same_confirmation_for_all() {
     let model = PylotDeadline::default();
     let future = scene.future();
     let estimate = estimator.by_model(&model, &scene.ego, scene.footprint, &future, 1.0 / 30.0);
+    let estimate = estimate.expect("defined for all");
     assert_eq!(estimate.state, State::Tolerable);
     assert_near(estimate.latency.expect("tolerable"), 0.043);
     let latency = scene.ask(&model).latency(1.0 / 30.0, 5);

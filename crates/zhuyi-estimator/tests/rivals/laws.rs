@@ -18,7 +18,7 @@ prop_compose! {
         speed_cap in prop::option::of(0.0..40.0_f64),
     ) -> Rss {
         Rss {
-            response, accel, least_brake, most_brake: least_brake + harder,
+            response, accel, least_brake, most_brake: least_brake + harder, correct_brake: least_brake / 2.0,
             lateral_accel, lateral_brake, lateral_margin, speed_cap,
         }
     }
@@ -39,9 +39,16 @@ prop_compose! {
     }
 }
 
+/// Whether the actor goes across rather than along the path.
+fn crosses(scene: &Scene) -> bool {
+    let (v, d_rate) = (scene.along[0].v, scene.across[0].d_rate);
+    d_rate.abs() > v && v.hypot(d_rate) >= 0.1
+}
+
 /// In the order of the time that it leaves.
 fn ranked(reaction: Reaction) -> f64 {
     match reaction {
+        Reaction::NotDefined => -2.0,
         Reaction::TooLate => -1.0,
         Reaction::Within(time) => time,
         Reaction::NoDanger => f64::INFINITY,
@@ -113,6 +120,7 @@ fn confirmed(answer: Reaction, touches: impl Fn(f64, f64) -> bool) -> bool {
     let (smaller, larger, little) = (-0.05, 0.05, 0.002);
     match answer {
         Reaction::NoDanger => !touches(20.0, smaller),
+        Reaction::NotDefined => false,
         Reaction::TooLate => touches(0.0, larger),
         Reaction::Within(time) => {
             !touches((time - little).max(0.0), smaller) && touches(time + little, larger)
@@ -134,6 +142,22 @@ proptest! {
             }
             Reaction::TooLate => prop_assert!(rss.longitudinal_distance(0.0, rear, front) > gap),
             Reaction::NoDanger => prop_assert!(rss.longitudinal_distance(1e3, rear, front) <= gap),
+            Reaction::NotDefined => prop_assert!(false, "defined for all speeds"),
+        }
+    }
+
+    #[test]
+    fn law_the_opposite_distance_of_the_response_is_the_gap(
+        rss in any_rss(), gap in 0.0..400.0_f64, ego in 0.0..40.0_f64, other in 0.0..40.0_f64,
+    ) {
+        match rss.opposite_response(gap, ego, other) {
+            Reaction::Within(rho) => {
+                let back = rss.opposite_distance(rho, ego, other);
+                prop_assert!((back - gap).abs() < 1e-9, "rho {rho}: {back}");
+            }
+            Reaction::TooLate => prop_assert!(rss.opposite_distance(0.0, ego, other) > gap),
+            Reaction::NoDanger => prop_assert!(rss.opposite_distance(1e3, ego, other) <= gap),
+            Reaction::NotDefined => prop_assert!(false, "defined for all speeds"),
         }
     }
 
@@ -179,6 +203,7 @@ proptest! {
             long && lat
         };
         match scene.ask(&rss) {
+            Reaction::NotDefined => prop_assert!(crosses(&scene)),
             Reaction::NoDanger => prop_assert!(gap < -2.0 * CAR.length),
             Reaction::TooLate => prop_assert!(dangerous(0.0)),
             Reaction::Within(rho) => {
@@ -231,6 +256,10 @@ proptest! {
         let estimator = Estimator::new(Params::default());
         for model in Rivals::default().all() {
             let estimate = estimator.by_model(model, &scene.ego, CAR, &scene.future(), current);
+            let Some(estimate) = estimate else {
+                prop_assert_eq!(scene.ask(model), Reaction::NotDefined);
+                continue;
+            };
             let exact = scene.ask(model).latency(current, 5);
             let grid = estimator.latencies();
             match (estimate.state, exact) {
@@ -260,6 +289,10 @@ proptest! {
             touch(&drive(&scene, onset, 7.0, 7.0 / build_up), goes_on(&scene), extra)
         };
         let answer = scene.ask(&driver);
+        if crosses(&scene) {
+            prop_assert_eq!(answer, Reaction::NotDefined);
+            return Ok(());
+        }
         prop_assert!(confirmed(answer, touches), "{answer:?}");
     }
 
@@ -274,6 +307,10 @@ proptest! {
             touch(&drive(&scene, onset, 6.0, f64::INFINITY), brakes(&scene, 6.0), extra)
         };
         let answer = scene.ask(&sff);
+        if crosses(&scene) {
+            prop_assert_eq!(answer, Reaction::NotDefined);
+            return Ok(());
+        }
         prop_assert!(confirmed(answer, touches), "{answer:?}");
     }
 

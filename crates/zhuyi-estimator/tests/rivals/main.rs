@@ -8,6 +8,7 @@
 //! The last two read `../shared/data/checks` beside the repository, where it exists.
 
 mod checks;
+mod covered;
 mod cut_ins;
 mod hand;
 mod laws;

@@ -1,6 +1,6 @@
 //! One ego and one actor with constant rates, and the shorthands to ask about them.
 
-use zhuyi_core::{Across, Along, Footprint};
+use zhuyi_core::{Across, Along, Extent, Footprint};
 use zhuyi_estimator::{Ego, Future, Reaction, SafetyModel};
 
 /// Every box of these tests, if they do not say otherwise.
@@ -16,6 +16,7 @@ pub struct Scene {
     pub footprint: Footprint,
     pub along: [Along; 1],
     pub across: [Across; 1],
+    pub extents: Option<Extent>,
 }
 
 impl Scene {
@@ -36,6 +37,7 @@ impl Scene {
                 d: 0.0,
                 d_rate: 0.0,
             }],
+            extents: None,
         }
     }
 
@@ -45,11 +47,19 @@ impl Scene {
         self
     }
 
+    /// The box of `footprint` stands on the path turned by `turn`, its rear edge where it was.
+    pub fn turned(mut self, footprint: Footprint, turn: f64) -> Self {
+        let stands = footprint.turned(turn);
+        self.along[0].s += (stands.length - self.footprint.length) / 2.0;
+        (self.footprint, self.extents) = (footprint, Some(Extent::held(stands)));
+        self
+    }
+
     pub fn future(&self) -> Future<'_> {
         Future {
             along: &self.along,
             across: &self.across,
-            extents: &[],
+            extents: self.extents.as_slice(),
             known_until: 20.0,
             now: 0.0,
         }
