@@ -208,7 +208,8 @@ impl<'a> Online<'a> {
         demands.iter().map(|demand| demand.fpr).collect()
     }
 
-    /// [Hz] what another model asks of every camera: of each actor the future that is most likely.
+    /// [Hz] what another model asks of every camera: of each actor the future that is most likely. An actor for which the
+    /// model is not defined asks for nothing.
     fn by_model(&self, model: &dyn SafetyModel, moment: &Moment<'_>) -> Vec<f64> {
         let of = |watch: &Watch<'_>| {
             let mut most = self.estimator.quiet().fpr;
@@ -225,8 +226,9 @@ impl<'a> Online<'a> {
                     let answer =
                         self.estimator
                             .by_model(model, &moment.ego, footprint, &future, l_0);
-                    if answer.importance() > most {
-                        most = answer.importance();
+                    let asked = answer.map_or(0.0, |answer| answer.importance());
+                    if asked > most {
+                        most = asked;
                     }
                 }
             }

@@ -208,7 +208,9 @@ fn hand_a_standing_ego_is_standing_by_every_way_of_asking() {
     }
     let by = |scene: &Scene, reaction| {
         let estimator = Estimator::new(Params::default());
-        answer(&estimator.by_model(&Always(reaction), &scene.ego, CAR, &scene.future(), L0))
+        let model = Always(reaction);
+        let found = estimator.by_model(&model, &scene.ego, CAR, &scene.future(), L0);
+        answer(&found.expect("always defined"))
     };
     assert_eq!(by(&scene, Reaction::TooLate), standing);
     assert_eq!(by(&scene, Reaction::Within(0.0)), standing);

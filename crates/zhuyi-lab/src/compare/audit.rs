@@ -1,9 +1,11 @@
 //! The audit: at every step and analysed camera, what each model asked for beside what was needed.
 //!
 //! A step of a camera counts apart where no rate of the grid will do (needed is `unavoidable` or `beyond_grid`) or none helps
-//! (`alongside` or `standing`); elsewhere it is judged: short, or enough (see [`Joint`]). The worst moment of a model is that of its largest
-//! shortfall, the first of equals.
+//! (`alongside` or `standing`); elsewhere it is judged: short, or enough (see [`Joint`]). A model is not judged where the actor that
+//! needs it is one that its source does not speak of. The worst moment of a model is that of its largest shortfall, the first of
+//! equals.
 
+use zhuyi_core::approach::gap;
 use zhuyi_core::{ActorId, FrameRates, Road, SimTime};
 use zhuyi_estimator::grid::MAX_FPR;
 use zhuyi_estimator::{ActorStart, Demand};
@@ -37,6 +39,8 @@ pub struct Tally {
     pub joint: Joint,
     /// Of the steps at which no rate of the grid would have done, those at which it asked for less than the highest.
     pub below_most: u64,
+    /// Steps that are not judged, because the actor that needs most is one that the model is not defined for.
+    pub not_defined: u64,
     /// Why it was short.
     pub causes: Causes,
     /// When it was short by most.
@@ -158,8 +162,15 @@ impl Audit {
                 }
                 continue;
             }
-            for (model, demands) in self.models.iter_mut().zip(demands) {
+            for (place, (model, demands)) in self.models.iter_mut().zip(demands).enumerate() {
                 let asked = &demands[camera];
+                if needed
+                    .actor
+                    .is_some_and(|actor| !step.is_defined(place, actor))
+                {
+                    model.not_defined += 1;
+                    continue;
+                }
                 model.joint.count(needed.latency, asked.latency);
                 if asked.latency > needed.latency {
                     kinder
@@ -186,6 +197,12 @@ struct Step<'a> {
 }
 
 impl Step<'_> {
+    /// Whether the model at a place answers for an actor.
+    fn is_defined(&self, place: usize, actor: ActorId) -> bool {
+        self.panel
+            .is_defined(place, self.hindsight, &self.row, actor)
+    }
+
     /// The moment for a camera; none where nobody needs anything.
     fn moment(&self, camera: usize, needed: &Demand, asked: &Demand) -> Option<Moment> {
         let actor = needed.actor?;
@@ -199,7 +216,7 @@ impl Step<'_> {
             needed: (needed.latency, needed.fpr),
             asked: (asked.latency, asked.fpr),
             ego: (ego.speed, ego.accel),
-            gap: start.s - ego.s - f64::midpoint(ego.footprint.length, body.length),
+            gap: gap(start.s - ego.s, ego.footprint, future.box_at(body, 0.0)),
             aside: start.d - ego.d,
             start,
         })
@@ -267,6 +284,7 @@ impl Tally {
     pub fn add(&mut self, other: &Self) -> bool {
         self.joint.add(&other.joint);
         self.below_most += other.below_most;
+        self.not_defined += other.not_defined;
         self.causes.add(&other.causes);
         let shortfall = |of: &Self| of.worst.as_ref().map_or(0.0, Moment::shortfall);
         let worse = shortfall(other) > shortfall(self);

@@ -121,6 +121,7 @@ fn figures(tally: &Tally) -> Vec<(&'static str, String)> {
             "below_30_where_no_rate_would_do",
             tally.below_most.to_string(),
         ),
+        ("camera_steps_not_defined", tally.not_defined.to_string()),
         ("mean_excess_hz", number(joint.mean_excess(false))),
         ("median_excess_hz", number(joint.median_excess(false))),
         ("mean_excess_in_need_hz", number(joint.mean_excess(true))),

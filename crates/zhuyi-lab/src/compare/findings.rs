@@ -63,11 +63,9 @@ fn of_model(
     } else {
         text += " Never short in these runs.";
     }
-    let scene = scenes
-        .iter()
-        .find(|answered| answered.answers[model].fpr() < answered.answers[NEEDED].fpr());
-    if let Some(Answered { scene, answers }) = scene {
-        let fpr = |model: usize| answers[model].fpr().unwrap_or_default();
+    let scene = scenes.iter().find(|answered| answered.is_short(model));
+    if let Some(answered @ Answered { scene, .. }) = scene {
+        let fpr = |model: usize| answered.fpr(model).unwrap_or_default();
         let opening = if worst.is_some() {
             "The smallest scene in which it is short"
         } else {

@@ -7,11 +7,16 @@
 //! | `zhuyi-jumps` | the paper's criterion, solved by the paper's jumps (reading R11) |
 //! | `rss`, .. | [`Rivals`] with default parameters |
 //!
+//! A model asks for nothing on behalf of an actor that its source does not speak of, and is not judged where that actor is
+//! the one that needs it ([`Panel::is_defined`]).
+//!
 //! All share the system's parameters but for criterion and solver, so K, l_0 and the grid are the same for all.
 
 use zhuyi_core::{ActorId, Footprint};
 use zhuyi_estimator::rivals::Rivals;
-use zhuyi_estimator::{Criterion, Demand, Ego, Estimate, Estimator, Future, Solver};
+use zhuyi_estimator::{
+    Criterion, Demand, Ego, Estimate, Estimator, Future, Reaction, Solver, State,
+};
 use zhuyi_scenario::System;
 use zhuyi_sim::Hindsight;
 use zhuyi_sim::trace::Row;
@@ -115,6 +120,23 @@ impl Panel {
         self.models.iter().map(|model| model.name).collect()
     }
 
+    /// Returns whether the model at a place answers for an actor at one row.
+    pub fn is_defined(
+        &self,
+        place: usize,
+        hindsight: &Hindsight<'_>,
+        row: &Row<'_>,
+        actor: ActorId,
+    ) -> bool {
+        match self.models[place].way {
+            Way::Zhuyi(_) => true,
+            Way::Rival(rival) => {
+                let (ego, body, future) = hindsight.question(row, actor);
+                self.rivals.all()[rival].reaction(&ego, body, &future) != Reaction::NotDefined
+            }
+        }
+    }
+
     /// What each asks of every camera at one row.
     pub fn demands(&self, hindsight: &Hindsight<'_>, row: &Row<'_>) -> Vec<Vec<Demand>> {
         let of_model = |model: &Model| match model.way {
@@ -125,6 +147,7 @@ impl Panel {
                     let (ego, body, future) = hindsight.question(row, actor);
                     self.procedure()
                         .by_model(model, &ego, body, &future, current_latency)
+                        .unwrap_or_else(|| self.asks_for_nothing(&future))
                 };
                 hindsight.demands_by(self.procedure(), row, answer)
             }
@@ -132,16 +155,30 @@ impl Panel {
         self.models.iter().map(of_model).collect()
     }
 
-    /// What each asks for one actor on one future.
+    /// The answer on behalf of an actor that a model does not speak of.
+    fn asks_for_nothing(&self, future: &Future<'_>) -> Estimate {
+        let procedure = self.procedure();
+        Estimate {
+            state: State::None,
+            latency: Some(procedure.quiet().latency),
+            t_n: None,
+            binding: None,
+            extrapolated: future.extrapolated(procedure.params().horizon),
+        }
+    }
+
+    /// What each asks for one actor on one future; none of a model that is not defined for it.
     pub fn answers(
         &self,
         ego: &Ego,
         actor: Footprint,
         future: &Future<'_>,
         current_latency: f64,
-    ) -> Vec<Estimate> {
+    ) -> Vec<Option<Estimate>> {
         let of_model = |model: &Model| match model.way {
-            Way::Zhuyi(place) => self.zhuyi[place].trajectory(ego, actor, future, current_latency),
+            Way::Zhuyi(place) => {
+                Some(self.zhuyi[place].trajectory(ego, actor, future, current_latency))
+            }
             Way::Rival(place) => {
                 let model = self.rivals.all()[place];
                 self.procedure()

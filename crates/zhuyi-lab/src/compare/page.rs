@@ -6,7 +6,6 @@ use super::audit::Audited;
 use super::files::Total;
 use super::findings;
 use super::in_short::in_short;
-use super::models::NEEDED;
 use super::scenes::{self, Answered};
 use super::{Compared, Comparison};
 use crate::reruns::Rerun;
@@ -131,6 +130,18 @@ fn about_the_audit(comparison: &Comparison, compared: &Compared, total: &Total) 
             apart.unavoidable, apart.beyond_grid, apart.alongside, apart.standing
         )
     };
+    let left_out: Vec<String> = (compared.models.iter().zip(&total.models))
+        .filter(|(_, tally)| tally.not_defined > 0)
+        .map(|(name, tally)| format!("`{name}` {}", tally.not_defined))
+        .collect();
+    let left_out = if left_out.is_empty() {
+        String::new()
+    } else {
+        format!(
+            " Not judged are the steps of a model at which who needs most is an actor that its source does not speak of (not defined): {}.",
+            left_out.join(", ")
+        )
+    };
     let peaks = if comparison.every == 1 {
         String::new()
     } else {
@@ -138,7 +149,7 @@ fn about_the_audit(comparison: &Comparison, compared: &Compared, total: &Total) 
     };
     format!(
         "All scenarios and runs together. A step is a camera's. Judged, of the analysed cameras: {steps}; in need of more than the \
-         least rate, of these: {in_need}. {apart}. Needed is the answer of `zhuyi-standstill`: the largest latency with which an \
+         least rate, of these: {in_need}. {apart}.{left_out} Needed is the answer of `zhuyi-standstill`: the largest latency with which an \
          ego that holds a_0 for t_r and then brakes at a_b touches nobody in {horizon} s of the recorded future. It has no margins, so to be \
          short is to touch, should this step's answer be the last. Short: less than needed was asked for, as a share of the steps in \
          need; what is left of that had the ego braked by {harder} m/s2, as most rivals count on, where a_b is less; by how much, and by \
@@ -243,11 +254,12 @@ fn about_the_closed_loop(comparison: &Comparison) -> String {
 fn of_scenes(compared: &Compared, scenes: &[Answered]) -> String {
     let header = with_models(&["scene", "in figures"], compared);
     let line = |answered: &Answered| {
-        let needed = answered.answers[NEEDED].fpr();
         let mut line = cells(&[answered.scene.name, answered.scene.what]);
-        line.extend(answered.answers.iter().map(|answer| {
-            let asked = decimals(answer.fpr(), 1);
-            if answer.fpr() < needed {
+        line.extend((0..answered.answers.len()).map(|model| {
+            let asked = decimals(answered.fpr(model), 1);
+            if answered.answers[model].is_none() {
+                "not defined".to_string()
+            } else if answered.is_short(model) {
                 format!("**{asked}**")
             } else {
                 asked

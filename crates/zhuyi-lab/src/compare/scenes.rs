@@ -15,7 +15,7 @@ use zhuyi_core::{Across, Along, Footprint};
 use zhuyi_estimator::{Ego, Estimate, Future};
 use zhuyi_scenario::System;
 
-use super::models::Panel;
+use super::models::{NEEDED, Panel};
 
 /// [s] l_0 of all scenes.
 pub const CURRENT_LATENCY: f64 = 1.0 / 30.0;
@@ -42,8 +42,20 @@ pub struct Scene {
 pub struct Answered {
     /// The scene.
     pub scene: Scene,
-    /// In the order of the panel.
-    pub answers: Vec<Estimate>,
+    /// In the order of the panel; none of a model that is not defined for the actor.
+    pub answers: Vec<Option<Estimate>>,
+}
+
+impl Answered {
+    /// [FPR] what the model at a place asks for; none where no rate helps, or the model is not defined.
+    pub fn fpr(&self, model: usize) -> Option<f64> {
+        self.answers[model].and_then(|answer| answer.fpr())
+    }
+
+    /// Whether the model at a place is defined and asks for less than is needed.
+    pub fn is_short(&self, model: usize) -> bool {
+        self.answers[model].is_some() && self.fpr(model) < self.fpr(NEEDED)
+    }
 }
 
 /// All of them.

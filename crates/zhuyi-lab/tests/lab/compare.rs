@@ -1,8 +1,10 @@
 use rayon::ThreadPoolBuilder;
-use zhuyi_core::SimTime;
+use zhuyi_core::{Across, Along, Footprint, SimTime};
 use zhuyi_estimator::ego_motion::reaction_time;
+use zhuyi_estimator::{Ego, Future};
 use zhuyi_lab::compare::audit::Moment;
 use zhuyi_lab::compare::joint::Joint;
+use zhuyi_lab::compare::models::Panel;
 use zhuyi_lab::compare::{Compared, compared, scenes};
 use zhuyi_lab::mrf::Mrf;
 use zhuyi_lab::rates::uniform;
@@ -161,7 +163,7 @@ fn law_the_same_bytes_at_one_and_two_threads() {
         let of = |row: &&csv::StringRecord| row[0] == *scenario && row[1] == *"ttc";
         rows.iter().filter(of).count()
     };
-    assert_eq!((of_ttc("cut-out"), of_ttc("all")), (18 + 6 + 3, 18));
+    assert_eq!((of_ttc("cut-out"), of_ttc("all")), (19 + 6 + 3, 19));
     let mut reader = csv::Reader::from_reader(results.files[2].1.as_bytes());
     // 2 scenarios, 3 cameras, 11 models: each has its first sample at least.
     let first = reader
@@ -316,7 +318,7 @@ fn hand_the_smallest_scenes_show_what_they_are_for() {
     let asked = |scene: &str, model: &str| {
         let scene = answered.iter().find(|one| one.scene.name == scene).unwrap();
         let model = names.iter().position(|name| *name == model).unwrap();
-        scene.answers[model].latency
+        scene.answers[model].unwrap().latency
     };
     // The lead of reading.md: equal speeds say no danger, the paper's criterion stops before the lead has slowed.
     for model in ["ttc", "r157-cut-in", "r157-driver"] {
@@ -335,4 +337,44 @@ fn hand_the_smallest_scenes_show_what_they_are_for() {
         assert_eq!(asked("cut-in to come", model), Some(1.0), "{model}");
     }
     assert_eq!(asked("cut-in to come", "zhuyi-standstill"), Some(0.175));
+}
+
+/// A car comes towards the ego at 10 m/s: models whose source does not speak of it have no answer, which is neither 1 FPR nor 30.
+#[test]
+fn hand_a_model_has_no_answer_for_whom_it_does_not_speak_of() {
+    let panel = Panel::new(&Plan::embedded().unwrap().system);
+    let car = Footprint {
+        length: 4.0,
+        width: 2.0,
+    };
+    let ego = Ego {
+        s: 0.0,
+        d: 0.0,
+        speed: 10.0,
+        accel: 0.0,
+        footprint: car,
+    };
+    let answers = |speed: f64, d_rate: f64| {
+        let along = [Along::constant_accel(0.0, 80.0, speed, 0.0)];
+        let across = [Across {
+            time: 0.0,
+            d: -8.0,
+            d_rate,
+        }];
+        let future = Future {
+            along: &along,
+            across: &across,
+            extents: &[],
+            known_until: 20.0,
+            now: 0.0,
+        };
+        let answers = panel.answers(&ego, car, &future, 1.0 / 30.0);
+        let none = panel.names().into_iter().zip(answers);
+        let none = none.filter(|(_, answer)| answer.is_none());
+        none.map(|(name, _)| name).collect::<Vec<_>>()
+    };
+    assert_eq!(answers(10.0, 1.0), [""; 0]);
+    assert_eq!(answers(-10.0, 1.0), ["sff", "r157-cut-in", "r157-driver"]);
+    let crossing = ["rss", "rss-capped", "sff", "r157-cut-in", "r157-driver"];
+    assert_eq!(answers(0.0, 2.0), crossing);
 }
