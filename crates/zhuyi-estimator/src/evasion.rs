@@ -14,7 +14,7 @@
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | t_r | reaction time, the same as for braking | s |
-//! | D | least offset to one side that leaves the actor's corridor (R7, half of both widths and the margin), wherever the actor goes in the horizon | m |
+//! | D | least offset to one side that leaves the actor's corridor (R7, half of both widths and the margin), wherever the actor goes and however it turns in the horizon | m |
 //! | a_y | largest lateral acceleration | m/s2 |
 //! | T | duration of the lane change, [`LaneChange::within`](zhuyi_core::LaneChange::within) | s |
 //! | t_n | from when the ego is clear sideways and Eq. 1 holds | s |
@@ -111,7 +111,7 @@ impl Evasion {
     /// The sides that are free for an evasion before an actor, by a rule like MOBIL's safety criterion (Kesting, Treiber,
     /// Helbing 2007) without a follower's patience: the ego stays on the road between `edges` [m] (the offsets of its
     /// right and left edge), and with all speeds held nobody of `others` who overlaps the strip sideways overlaps the ego
-    /// lengthwise within the window. `others` are all bodies but that actor.
+    /// lengthwise within the window, each as it stands now. `others` are all bodies but that actor.
     pub fn free_sides<'a>(
         &self,
         params: &Params,
@@ -127,13 +127,13 @@ impl Evasion {
             right: right - half >= edges.0,
         };
         for body in others {
-            let reach = f64::midpoint(ego.footprint.length, body.footprint.length);
+            let reach = ego.footprint.half_lengths(body.extent);
             let now = body.road.s - ego.s;
             let then = now + self.window * (body.s_rate - ego.speed);
             if now.min(then) >= reach || now.max(then) <= -reach {
                 continue;
             }
-            let side = half + body.footprint.width / 2.0 + params.lateral_margin;
+            let side = ego.footprint.half_widths(body.extent) + params.lateral_margin;
             let beside =
                 |(from, to): (f64, f64)| from - side < body.road.d && body.road.d < to + side;
             sides.left &= !beside((ego.d, left));

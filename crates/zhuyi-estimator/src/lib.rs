@@ -75,6 +75,7 @@ mod judge;
 mod lines;
 mod proof;
 mod quadratic;
+mod room;
 mod stretch;
 mod swing;
 mod walk;

@@ -17,6 +17,7 @@
 //! A place is in sight when all of it is: who hides it is known only as well as it is tracked, and a place that is
 //! believed to be half in sight may be hidden yet. Places are [`SPACING`] apart. Left out: what may have moved into a place that was cleared.
 
+use zhuyi_core::approach::{gap, in_the_way};
 use zhuyi_core::{Across, Along, Body, Frenet, Road};
 use zhuyi_estimator::phantom::visible_share;
 use zhuyi_estimator::{Phantom, PhantomParams};
@@ -126,12 +127,12 @@ impl Place {
         self.cleared = !hidden && (self.cleared || long_enough);
     }
 
-    /// Whether a body stands where the phantom would.
+    /// Whether a body, as it stands, is where the phantom would be.
     fn is_under(&self, body: &Body, look: &Look<'_>) -> bool {
         let Frenet { s, d } = body.road;
-        let (own, other) = (look.params.footprint, body.footprint);
-        (s - self.phantom.s).abs() < f64::midpoint(own.length, other.length)
-            && (d - self.phantom.across[0].d).abs() < f64::midpoint(own.width, other.width)
+        let (own, other) = (look.params.footprint, body.extent);
+        gap((s - self.phantom.s).abs(), own, other) < 0.0
+            && in_the_way(d - self.phantom.across[0].d, own, other, 0.0)
     }
 }
 

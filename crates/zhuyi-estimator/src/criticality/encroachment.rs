@@ -21,6 +21,7 @@
 
 use crate::ego_motion::{EgoMotion, Start};
 use crate::quadratic::Quadratic;
+use crate::room::{Room, with_room};
 use crate::{Ego, Future};
 use zhuyi_core::approach::LEAST_CLOSING_SPEED;
 use zhuyi_core::{Extent, Footprint};
@@ -58,15 +59,13 @@ pub fn pet(ego: &Ego, actor: Footprint, future: &Future<'_>, horizon: f64) -> Op
         let next = future.across.get(index + 1);
         let end = next.map_or(horizon, |next| (next.time - future.now).min(horizon));
         for (from, to, extent) in future.extents_within(actor, begin.max(0.0), end) {
-            let aside = Line {
-                at_start: piece.d - ego.d + (from - begin) * piece.d_rate,
-                rate: piece.d_rate,
+            let aside = piece.d - ego.d + (from - begin) * piece.d_rate;
+            let reach = pair.half_widths(&extent, from);
+            let to_side = |side: f64| Room {
+                at_start: reach + side * aside,
+                rate: extent.across_rate + side * piece.d_rate,
             };
-            let reach = Line {
-                at_start: pair.half_widths(&extent, from),
-                rate: extent.across_rate,
-            };
-            let stay = aside.within(&reach, to - from);
+            let stay = with_room([to_side(-1.0), to_side(1.0)], to - from);
             if let Some((enters, leaves)) = stay
                 && pair.stay(ego.s, future, &extent, (from + enters, from + leaves))
                     == Outcome::Collision
@@ -79,33 +78,6 @@ pub fn pet(ego: &Ego, actor: Footprint, future: &Future<'_>, horizon: f64) -> Op
         }
     }
     pair.least
-}
-
-/// A straight line in the time from its start on.
-#[derive(Clone, Copy, Debug)]
-struct Line {
-    at_start: f64,
-    rate: f64,
-}
-
-impl Line {
-    /// The part of [0, `length`] in which it lies between `reach` and the same below zero.
-    fn within(&self, reach: &Self, length: f64) -> Option<(f64, f64)> {
-        let (mut from, mut to) = (0.0_f64, length);
-        for side in [1.0, -1.0] {
-            let room = reach.at_start - side * self.at_start;
-            let rate = reach.rate - side * self.rate;
-            // When there is room: room + rate t > 0.
-            if rate > 0.0 {
-                from = from.max(-room / rate);
-            } else if rate < 0.0 {
-                to = to.min(-room / rate);
-            } else if room <= 0.0 {
-                return None;
-            }
-        }
-        (from < to).then_some((from, to))
-    }
 }
 
 /// What a stay on the ego's path leads to.
@@ -150,7 +122,7 @@ impl Pair {
                 c2: piece.s_half_accel,
             };
             let ahead = ahead.from(start + future.now - piece.time);
-            let reach = Line {
+            let reach = Room {
                 at_start: extent.at(start).0 + self.ego_box.length / 2.0,
                 rate: extent.along_rate,
             };
@@ -165,7 +137,7 @@ impl Pair {
 
     /// Looks at one piece of it: `ahead` is how far the actor's centre is ahead of where the ego's was at `now`, `reach`
     /// half of both lengths.
-    fn stretch(&mut self, start: f64, length: f64, ahead: &Quadratic, reach: &Line) -> Outcome {
+    fn stretch(&mut self, start: f64, length: f64, ahead: &Quadratic, reach: &Room) -> Outcome {
         // How far the ego's front has to go to the actor's rear, and its rear to the actor's front.
         let offset = |side: f64| Quadratic {
             c0: ahead.c0 + side * reach.at_start,

@@ -1,64 +1,49 @@
 //! One way to evade, judged in continuous time along the pieces of the actor's future.
 //!
-//! On every piece of both lists, within one phase of the ego, the gap and the ego's distance are quadratics and the
-//! actor's offset is a line; so the times at which the actor overlaps the strip and the first contact or the first t_n
+//! On every piece of all lists, within one phase of the ego, the gap and the ego's distance are quadratics and the
+//! offsets of the actor's sides are lines; so the times at which the actor overlaps the strip and the first contact or the first t_n
 //! in them are roots. Written plainly: every reaction time is judged by itself.
 
-use zhuyi_core::{Along, Footprint, LaneChange};
+use zhuyi_core::{Extent, Footprint, LaneChange};
 
 use super::Evasion;
 use crate::ego_motion::{EgoMotion, Start};
 use crate::encounter::Delay;
+use crate::room::{Room, with_room};
 use crate::stretch::{Datum, Stretch};
+use crate::swing::{Swing, first_box};
 use crate::{Ego, Future, Params};
 
-/// The least offsets of the ego to the left and to the right of an actor, wherever that goes in the horizon; its own
-/// where it is clear already.
+/// The least offsets of the ego to the left and to the right of an actor, wherever that goes in the horizon and however it
+/// turns; its own where it is clear already.
 pub(super) fn targets(
     params: &Params,
     ego: &Ego,
     actor: Footprint,
     future: &Future<'_>,
 ) -> (f64, f64) {
-    let extent = Extent::of(future, params.horizon);
-    let lane = f64::midpoint(ego.footprint.width, actor.width) + params.lateral_margin;
-    (
-        (extent.most + lane).max(ego.d),
-        (extent.least - lane).min(ego.d),
-    )
-}
-
-/// The lateral extent of an actor's centre over the horizon.
-#[derive(Clone, Copy, Debug)]
-struct Extent {
-    least: f64,
-    most: f64,
-}
-
-impl Extent {
-    fn of(future: &Future<'_>, horizon: f64) -> Self {
-        let first = future.across_index(0.0);
-        let mut extent = Self {
-            least: f64::INFINITY,
-            most: f64::NEG_INFINITY,
-        };
-        for (place, piece) in future.across.iter().enumerate().skip(first) {
-            let (start, end) = piece_times(future, place, horizon);
-            if start > horizon {
-                break;
-            }
-            for time in [start, end] {
+    let (mut left, mut right) = (ego.d, ego.d);
+    let first = future.across_index(0.0);
+    for (place, piece) in future.across.iter().enumerate().skip(first) {
+        let (start, end) = piece_times(future, place, params.horizon);
+        if start > params.horizon {
+            break;
+        }
+        for (from, to, extent) in future.extents_within(actor, start, end) {
+            for time in [from, to] {
                 let d = piece.d + (time + future.now - piece.time) * piece.d_rate;
-                if d < extent.least {
-                    extent.least = d;
-                }
-                if d > extent.most {
-                    extent.most = d;
-                }
+                let lane = half_widths(ego, &extent, time) + params.lateral_margin;
+                left = left.max(d + lane);
+                right = right.min(d - lane);
             }
         }
-        extent
     }
+    (left, right)
+}
+
+/// [m] half of both widths, the actor's as it stands at a time.
+fn half_widths(ego: &Ego, extent: &Extent, time: f64) -> f64 {
+    extent.at(time).1 + ego.footprint.width / 2.0
 }
 
 /// [s] from when to when a piece across holds within [0, horizon], from t_0.
@@ -79,9 +64,13 @@ fn piece_times(future: &Future<'_>, place: usize, horizon: f64) -> (f64, f64) {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Way<'a> {
     future: Future<'a>,
+    ego: Ego,
+    actor: Footprint,
+    /// How the actor's box turns; none where it stands as at first.
+    swing: Option<Swing<'a>>,
     datum: Datum,
     held: Start,
-    /// [m] offsets of the actor's centre between which it overlaps the strip sideways.
+    /// [m] offsets of the ego's centre that it comes through.
     strip: (f64, f64),
     /// [s] T.
     duration: f64,
@@ -98,8 +87,7 @@ impl<'a> Way<'a> {
         future: Future<'a>,
         target: f64,
     ) -> Self {
-        let body = f64::midpoint(ego.footprint.width, actor.width);
-        let reach = f64::midpoint(ego.footprint.length, actor.length);
+        let first = first_box(actor, future.extents);
         let duration = if target == ego.d {
             0.0
         } else {
@@ -107,12 +95,15 @@ impl<'a> Way<'a> {
         };
         Self {
             future,
+            ego: *ego,
+            actor,
+            swing: Swing::of(&future),
             datum: Datum {
                 now: future.now,
-                origin: ego.s + reach,
+                origin: ego.s + ego.footprint.half_lengths(first),
             },
             held: Start::new(ego.speed, ego.accel),
-            strip: (target.min(ego.d) - body, target.max(ego.d) + body),
+            strip: (target.min(ego.d), target.max(ego.d)),
             duration,
             c1: params.c1,
             horizon: params.horizon,
@@ -141,16 +132,31 @@ impl<'a> Way<'a> {
         (first..future.across.len())
             .map(|place| (place, piece_times(future, place, until)))
             .take_while(|(_, (start, _))| *start < until)
-            .filter_map(|(place, (start, end))| {
-                let piece = &future.across[place];
-                let d = piece.d + (start + future.now - piece.time) * piece.d_rate;
-                let (from, to) = inside(self.strip, d, piece.d_rate, end - start)?;
-                Some((start + from, start + to))
+            .flat_map(|(place, (start, end))| {
+                let pieces = future.extents_within(self.actor, start, end);
+                pieces.filter_map(move |piece| self.beside(place, piece))
             })
             .any(|(from, to)| {
                 self.first(motion, from, to, Stretch::first_contact)
                     .is_some()
             })
+    }
+
+    /// From when until when the actor overlaps the strip sideways while a piece across and one of its half extents hold.
+    fn beside(&self, place: usize, (start, end, extent): (f64, f64, Extent)) -> Option<(f64, f64)> {
+        let piece = &self.future.across[place];
+        let d = piece.d + (start + self.future.now - piece.time) * piece.d_rate;
+        let reach = half_widths(&self.ego, &extent, start);
+        let from_right = Room {
+            at_start: d - (self.strip.0 - reach),
+            rate: piece.d_rate + extent.across_rate,
+        };
+        let from_left = Room {
+            at_start: self.strip.1 + reach - d,
+            rate: extent.across_rate - piece.d_rate,
+        };
+        let (from, to) = with_room([from_right, from_left], end - start)?;
+        Some((start + from, start + to))
     }
 
     /// The first time in [from, to] that `find` finds on a stretch.
@@ -163,15 +169,19 @@ impl<'a> Way<'a> {
     ) -> Option<f64> {
         let (future, now) = (&self.future, self.future.now);
         let mut index = future.along_index(from);
+        let mut turn = self.swing.map_or(0, |swing| swing.index(from));
         let mut time = from;
         loop {
             let next = future.along.get(index + 1);
-            let end = next.map_or(to, |next| (next.time - now).min(to));
-            let piece: &Along = &future.along[index];
+            let piece_end = next.map_or(f64::INFINITY, |next| next.time - now);
+            let turn_end = self.swing.map_or(f64::INFINITY, |swing| swing.end(turn));
+            let end = piece_end.min(turn_end).min(to);
+            let centre = &future.along[index];
+            let piece = self.swing.map_or(*centre, |swing| swing.rear(turn, centre));
             for (phase, phase_end) in motion.phases() {
                 let (a, b): (f64, f64) = (phase.start.max(time), phase_end.min(end));
                 if a <= b {
-                    let found = find(&Stretch::new(a, b, piece, self.datum, phase));
+                    let found = find(&Stretch::new(a, b, &piece, self.datum, phase));
                     if let Some(x) = found {
                         return Some(a + x);
                     }
@@ -180,18 +190,9 @@ impl<'a> Way<'a> {
             if end >= to {
                 return None;
             }
-            (time, index) = (end.max(time), index + 1);
+            index += usize::from(piece_end <= end);
+            turn += usize::from(turn_end <= end);
+            time = end.max(time);
         }
     }
-}
-
-/// The part of [0, length] in which a line `d + rate x` lies between two borders; none where that is an instant or less.
-fn inside((low, high): (f64, f64), d: f64, rate: f64, length: f64) -> Option<(f64, f64)> {
-    let (from, to) = if rate == 0.0 {
-        (low < d && d < high).then_some((0.0, length))?
-    } else {
-        let (a, b) = ((low - d) / rate, (high - d) / rate);
-        (a.min(b).max(0.0), a.max(b).min(length))
-    };
-    (from < to).then_some((from, to))
 }

@@ -188,7 +188,7 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
             let ends = |body: &Body| body.front() + params.headway * body.s_rate.max(0.0) + half;
             let in_the_way = |body: &&Body| {
                 let across = (body.road.d - ego.road.d).abs();
-                let reach = f64::midpoint(body.footprint.width, params.footprint.width);
+                let reach = body.extent.half_widths(params.footprint);
                 // Compared in this form, so that a round passes over a body whatever is rounded.
                 across < reach && body.rear() < free + half && free < ends(body)
             };

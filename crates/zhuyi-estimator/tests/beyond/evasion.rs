@@ -3,7 +3,7 @@
 use crate::scene::{CAR, L0, Scene};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use zhuyi_core::{Body, Frenet, LaneChange, Pose};
+use zhuyi_core::{Body, Extent, Footprint, Frenet, LaneChange, Pose};
 use zhuyi_estimator::ego_motion::reaction_time;
 use zhuyi_estimator::{
     Estimate, Estimator, Evasion, EvasionEstimate, Params, Procedure, Sides, State,
@@ -130,9 +130,57 @@ fn hand_free_sides() {
     assert_eq!(free(&[body(1.0, 3.5, 20.0)], road), right);
     assert_eq!(free(&[body(-10.0, 3.5, 24.0)], road), right);
     assert_eq!(free(&[body(-10.0, 3.5, 20.0)], road), Sides::BOTH);
+    // Behind the next lane a car is in nobody's way, and a lorry that stands there across the road reaches into it.
+    let across = |footprint: Footprint| Body {
+        footprint,
+        extent: footprint.turned(std::f64::consts::FRAC_PI_2),
+        turn: std::f64::consts::FRAC_PI_2,
+        ..body(20.0, 8.0, 0.0)
+    };
+    let lorry = Footprint {
+        length: 12.0,
+        width: 2.5,
+    };
+    assert_eq!(free(&[body(20.0, 8.0, 0.0)], road), Sides::BOTH);
+    assert_eq!(free(&[across(lorry)], road), right);
     // 50 m ahead and 10 m/s slower the ego comes within 10 m in 4 s: free; 40 m ahead it passes its rear.
     assert_eq!(free(&[body(50.0, -3.5, 10.0)], road), Sides::BOTH);
     assert_eq!(free(&[body(40.0, -3.5, 10.0)], road), left);
+}
+
+/// A lorry of 12 m x 2.5 m stands across the path, its middle 5.5 m to the left and its flank 50 m ahead: it reaches 0.5 m over
+/// the ego's line, so 0.5 + 1 + 0.2 m to the right are enough as for the car above, and to the left the way is far too long.
+#[test]
+fn hand_a_lorry_across_the_path_is_passed_where_it_ends() {
+    let mut car = Scene::following(20.0, 50.0, 0.0);
+    car.across[0].d = 0.5;
+    let mut lorry = Scene::following(20.0, 50.0, 0.0);
+    (lorry.along[0].s, lorry.across[0].d) = (2.0 + 50.0 + 1.25, 5.5);
+    lorry.extents = vec![Extent::held(
+        Footprint {
+            length: 12.0,
+            width: 2.5,
+        }
+        .turned(std::f64::consts::FRAC_PI_2),
+    )];
+    let only = |left: bool| Sides { left, right: !left };
+    let (found, expected) = (
+        ask(&lorry, &params(), only(false)),
+        ask(&car, &params(), only(false)),
+    );
+    assert_eq!(found.procedure, Procedure::EvadeRight);
+    assert_eq!(found.estimate.latency, expected.estimate.latency);
+    let left = ask(&lorry, &params(), only(true));
+    assert_eq!(left.procedure, Procedure::Brake);
+}
+
+/// [m] half extents of the actor's box.
+fn half_extents(scene: &Scene, time: f64) -> (f64, f64) {
+    let extents = &scene.extents;
+    let piece = extents.iter().rev().find(|piece| piece.time <= time);
+    piece
+        .or(extents.first())
+        .map_or((2.0, 1.0), |piece| piece.at(time))
 }
 
 /// The rule of `evasion.rs` read at every millisecond, with the gap longer by `more`.
@@ -146,17 +194,19 @@ fn scanned(scene: &Scene, params: &Params, left: bool, latency: Option<f64>, mor
             along.unwrap_or(&future.along[0]),
             across.unwrap_or(&future.across[0]),
         );
+        let (half_length, half_width) = half_extents(scene, time);
         (
-            along.s_at(time),
+            along.s_at(time) - half_length,
             across.d + (time - across.time) * across.d_rate,
+            1.0 + half_width,
         )
     };
     let times = || (0..=20_000).map(|step| f64::from(step) / 1e3);
     let side = if left { 1.0 } else { -1.0 };
     let furthest = times()
-        .map(|time| side * at(time).1)
+        .map(|time| side * at(time).1 + at(time).2)
         .fold(f64::NEG_INFINITY, f64::max);
-    let target = side * (furthest + 2.0 + params.lateral_margin).max(side * ego.d);
+    let target = side * (furthest + params.lateral_margin).max(side * ego.d);
     let change = LaneChange::within(0.0, ego.d, target, 5.0);
     let duration = if target == ego.d {
         0.0
@@ -182,9 +232,11 @@ fn scanned(scene: &Scene, params: &Params, left: bool, latency: Option<f64>, mor
         }
     };
     let clear_from = t_r + duration;
-    let gap = |time: f64| at(time).0 - ego.s - 4.0 + more;
-    let in_strip = |d: f64| target.min(ego.d) - 2.0 < d && d < target.max(ego.d) + 2.0;
-    let passes = |time: f64| in_strip(at(time).1) && gone(time) > gap(time);
+    let gap = |time: f64| at(time).0 - ego.s - 2.0 + more;
+    let in_strip = |(_, d, reach): (f64, f64, f64)| {
+        target.min(ego.d) - reach < d && d < target.max(ego.d) + reach
+    };
+    let passes = |time: f64| in_strip(at(time)) && gone(time) > gap(time);
     let passed = times().take_while(|time| *time < clear_from).any(passes);
     let serves = |time: f64| gone(time) <= 0.9 * gap(time) + 0.1 * more;
     !passed
@@ -193,7 +245,7 @@ fn scanned(scene: &Scene, params: &Params, left: bool, latency: Option<f64>, mor
 }
 
 prop_compose! {
-    /// A lead in the ego's lane or beside it that may change its speed once and drift sideways.
+    /// A lead in the ego's lane or beside it that may change its speed once, drift sideways and turn.
     fn any_scene()(
         speed in 0.0..40.0_f64,
         accel in -6.0..3.0_f64,
@@ -202,6 +254,7 @@ prop_compose! {
         offset in prop_oneof![-0.8..0.8_f64, -5.0..5.0_f64],
         drift in prop::option::of((0.0..4.0_f64, 0.5..2.0_f64, -4.0..4.0_f64)),
         change in prop::option::of((0.0..5.0_f64, -9.0..-0.5_f64, 0.0..1.0_f64)),
+        turn in prop::option::of((0.0..4.0_f64, 0.5..3.0_f64, 0.5..4.0_f64, 0.5..4.0_f64)),
         current_latency in 0.03..0.5_f64,
     ) -> Scene {
         let mut scene = Scene::following(speed, gap, lead);
@@ -210,6 +263,17 @@ prop_compose! {
         if let Some((time, duration, way)) = drift {
             scene = scene.jumps_to(time, offset).jumps_to(time + duration, offset + way);
             scene.across[1].d_rate = way / duration;
+        }
+        if let Some((time, duration, along, across)) = turn {
+            let first = Extent::held(CAR);
+            let turns = Extent {
+                time,
+                along_rate: (along - first.along) / duration,
+                across_rate: (across - first.across) / duration,
+                ..first
+            };
+            let last = Extent { time: time + duration, along, across, along_rate: 0.0, across_rate: 0.0 };
+            scene.extents = vec![first, turns, last];
         }
         match change {
             Some((time, accel, share)) if lead > 0.0 => scene.then(time, accel, share * lead),
@@ -264,12 +328,13 @@ proptest! {
             piece.d + (time - piece.time) * piece.d_rate
         };
         let steps = || (0..=2_000).map(|step| f64::from(step) / 100.0);
-        let ends = future.across.iter().flat_map(|piece| [piece.d]);
-        let extremes: Vec<f64> = ends.chain([d_at(20.0)]).collect();
+        let begins = future.across.iter().map(|piece| piece.time);
+        let begins = begins.chain(future.extents.iter().map(|piece| piece.time)).chain([20.0]);
+        let reach = |time: f64| half_extents(&scene, time).1 + 1.2;
         let target = if sides.left {
-            extremes.iter().fold(f64::NEG_INFINITY, |a, b| a.max(*b)) + 2.2
+            begins.fold(f64::NEG_INFINITY, |most, time| most.max(d_at(time) + reach(time)))
         } else {
-            extremes.iter().fold(f64::INFINITY, |a, b| a.min(*b)) - 2.2
+            begins.fold(f64::INFINITY, |least, time| least.min(d_at(time) - reach(time)))
         };
         let target = if sides.left { target.max(0.0) } else { target.min(0.0) };
         let change = LaneChange::within(t_r, 0.0, target, 5.0);
@@ -280,7 +345,8 @@ proptest! {
                 + if a < 0.0 { 0.0 } else { (v + a * held) * (time - held) };
             let piece = future.along.iter().rev().find(|p| p.time <= time).unwrap_or(&future.along[0]);
             let (x, y) = (piece.s_at(time) - gone, d_at(time) - change.at(time).d);
-            prop_assert!(x.abs() > 4.0 - 1e-6 || y.abs() > 2.0 - 1e-6, "{x} m, {y} m at {time} s: {found:?}");
+            let (half_length, half_width) = half_extents(&scene, time);
+            prop_assert!(x.abs() > 2.0 + half_length - 1e-6 || y.abs() > 1.0 + half_width - 1e-6, "{x} m, {y} m at {time} s: {found:?}");
         }
     }
 

@@ -225,3 +225,28 @@ proptest! {
         }
     }
 }
+
+/// A lorry of 12 m x 2.5 m that stands across the path, its middle 5 m to the left, reaches 1 m over the ego's line: where it
+/// stands no phantom of 1.9 m does. 7.5 m to the left, or aligned with the path, it leaves the place free, and in sight.
+#[test]
+fn hand_a_lorry_across_the_road_takes_its_place() {
+    let (ego, camera) = (body(CAR, 0.0, 0.0, 10.0), front(80.0));
+    let lorry = Footprint {
+        length: 12.0,
+        width: 2.5,
+    };
+    let at = |d: f64, turn: f64| Body {
+        pose: Pose::new(40.0, d, turn),
+        turn,
+        extent: lorry.turned(turn),
+        ..body(lorry, 40.0, d, 0.0)
+    };
+    let ask = |hider: Body| rear(&ego, &[hider], &[&camera], &PhantomParams::default());
+    let square = std::f64::consts::FRAC_PI_2;
+    // Its flank is 1.25 m behind its middle: the first free place begins at 41.25 m.
+    let found = ask(at(5.0, square)).expect("a phantom behind the lorry");
+    assert!((found - 41.25).abs() < 1e-9, "{found}");
+    let (beside, aligned) = (ask(at(7.5, square)), ask(at(5.0, 0.0)));
+    assert!(beside.is_none_or(|rear| rear > 42.0), "{beside:?}");
+    assert!(aligned.is_some_and(|rear| rear > 80.0), "{aligned:?}");
+}

@@ -1,6 +1,6 @@
 //! A scene in plain numbers for the tests of this folder, and the shorthands to ask about it.
 
-use zhuyi_core::{Across, Along, Footprint};
+use zhuyi_core::{Across, Along, Extent, Footprint};
 use zhuyi_estimator::{Ego, Estimate, Estimator, Future, Params};
 
 /// Every box of these tests.
@@ -18,6 +18,7 @@ pub struct Scene {
     pub ego: Ego,
     pub along: Vec<Along>,
     pub across: Vec<Across>,
+    pub extents: Vec<Extent>,
     pub now: f64,
     pub current_latency: f64,
 }
@@ -39,6 +40,7 @@ impl Scene {
                 d: 0.0,
                 d_rate: 0.0,
             }],
+            extents: Vec::new(),
             now: 0.0,
             current_latency: L0,
         }
@@ -71,7 +73,7 @@ impl Scene {
         Future {
             along: &self.along,
             across: &self.across,
-            extents: &[],
+            extents: &self.extents,
             known_until: self.now + 20.0,
             now: self.now,
         }
