@@ -34,7 +34,6 @@ fn hand_a_truck_alongside_counts_for_the_camera_that_its_flank_fills() {
 
 /// The same truck in a recording by others: `../shared/data` beside the repository, where it exists.
 #[test]
-#[expect(clippy::print_stdout, reason = "a skipped test says so")]
 fn paper_a_truck_alongside_in_a_recording() {
     let path =
         Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data/faults/L16_truck.csv");
