@@ -70,6 +70,8 @@ pub(crate) struct Foot {
     pub d: f64,
     /// Direction of the path there, a unit vector.
     pub direction: (f64, f64),
+    /// [-] metres along the path for a metre at the point in that direction: other than 1 beside a lane in a bend.
+    pub scale: f64,
 }
 
 impl Foot {
@@ -83,7 +85,7 @@ impl Foot {
     /// [m/s] what a speed in the direction of `heading` is along the path and across it.
     pub fn along_across(&self, speed: f64, heading: f64) -> (f64, f64) {
         let (along, across) = self.turned(heading);
-        (speed * along, speed * across)
+        (speed * along * self.scale, speed * across)
     }
 
     /// [rad] the angle of a `heading` against the path, in (-π, π].
@@ -130,6 +132,7 @@ impl Straight {
             s: self.s + ahead,
             d: left,
             direction: self.direction,
+            scale: 1.0,
         }
     }
 }
@@ -362,6 +365,7 @@ fn seen(a: Point, direction: (f64, f64), length: f64, s: f64, point: Point) -> N
             s: s + along,
             d,
             direction,
+            scale: 1.0,
         },
         distance,
     }

@@ -8,7 +8,7 @@
 //!
 //! | frame (reading R7) | when | the ego's path |
 //! |---|---|---|
-//! | of a road | one is given | its offset at t_0, held |
+//! | of a road, along the lane that the ego is in at t_0 | one is given | its offset at t_0, held |
 //! | of the ego's own recorded path from t_0 on | there is none | d = 0 |
 //! | straight along the first heading from t_0 on with which it moves, or else that at t_0 | there is none, and the ego does not move any more, or hardly | d = 0 |
 //!
@@ -28,9 +28,10 @@
 //! behind the ego at t_0 or later, or before the join, are projected anew, on the path that begins at t_0.
 
 use std::borrow::Cow;
+use std::sync::OnceLock;
 
-use zhuyi_core::{ActorId, Body, Frenet, Point, Pose, Road};
-use zhuyi_estimator::samples::{Sample, trajectory};
+use zhuyi_core::{ActorId, Body, Frenet, Lane, LaneFrame, Point, Pose, Road, Trajectory};
+use zhuyi_estimator::samples::{Sample, extents, trajectory};
 use zhuyi_estimator::{Ego, Recording};
 
 use crate::log::{Log, Row, Vehicle};
@@ -41,17 +42,18 @@ use crate::path::{Ahead, Foot, Path, Straight};
 pub struct Replay<'a> {
     log: &'a Log,
     ego: ActorId,
-    lane: Lane<'a>,
+    course: Course<'a>,
     horizon: f64,
     /// The ego at each of its rows, where the frame is that of a road.
     places: Vec<Frenet>,
-    /// One per vehicle; none where nothing can be said ahead of time, as for the ego.
-    tracks: Vec<Option<Track>>,
+    /// One per vehicle, none where nothing can be said ahead of time, as for the ego; on a road with bends along each lane, made
+    /// when the ego is first in it.
+    tracks: Vec<OnceLock<Vec<Option<Track>>>>,
 }
 
 /// What the ego drives along.
 #[derive(Clone, Debug)]
-enum Lane<'a> {
+enum Course<'a> {
     Road(&'a Road),
     Own(Path),
 }
@@ -92,7 +94,7 @@ pub struct Actor<'a> {
 /// The frame at one t_0.
 #[derive(Clone, Copy, Debug)]
 enum Frame<'a> {
-    Road(&'a Road),
+    Road(&'a Road, Lane),
     Path(Ahead<'a>),
     /// Through a pose.
     Straight(Straight),
@@ -101,19 +103,22 @@ enum Frame<'a> {
 impl Frame<'_> {
     fn foot(&self, point: Point, hint: Option<f64>) -> Foot {
         match self {
-            Self::Road(road) => on_road(road, road.road_from_world(point)),
+            Self::Road(road, lane) => along_lane(road, *lane, road.road_from_world(point)),
             Self::Path(ahead) => ahead.foot(point, hint),
             Self::Straight(straight) => straight.foot(point),
         }
     }
 }
 
-fn on_road(road: &Road, Frenet { s, d }: Frenet) -> Foot {
+/// A place on a road as it is along a lane.
+fn along_lane(road: &Road, lane: Lane, Frenet { s, d }: Frenet) -> Foot {
     let (sin, cos) = libm::sincos(road.heading(s));
+    let frame = LaneFrame::of(road, lane);
     Foot {
-        s,
+        s: frame.place(s),
         d,
         direction: (cos, sin),
+        scale: frame.rate(s) / road.lane_rate(s, d),
     }
 }
 
@@ -130,9 +135,9 @@ pub fn places_on<'a>(
             || road.road_from_world(point),
             |(before, place)| {
                 let elapsed = log.steps[row.step].time - log.steps[before.step].time;
-                let foot = on_road(road, place);
-                let (along, _) = foot.along_across(before.speed, before.pose.heading);
-                road.road_from_world_near(point, place.s + along * elapsed)
+                let turned = before.pose.heading - road.heading(place.s);
+                let rate = before.speed * libm::cos(turned) / road.lane_rate(place.s, place.d);
+                road.road_from_world_near(point, place.s + rate * elapsed)
             },
         );
         before = Some((row, place));
@@ -145,21 +150,19 @@ impl<'a> Replay<'a> {
     pub fn new(log: &'a Log, ego: ActorId, road: Option<&'a Road>, horizon: f64) -> Self {
         let rows = &log.vehicle(ego).rows;
         let own = || Path::new(rows.iter().map(|row| (row.pose, row.speed)));
-        let lane = road.map_or_else(|| Lane::Own(own()), Lane::Road);
-        let frame = lane.frame(0);
-        let track = |(place, vehicle): (usize, &Vehicle)| {
-            let others = place != ego.index() && !matches!(frame, Frame::Straight(_));
-            others.then(|| Track::new(log, vehicle, &frame))
+        let lanes = match road {
+            Some(road) if !road.is_straight() => usize::from(road.lanes()),
+            _ => 1,
         };
         Self {
             places: match road {
                 Some(road) => places_on(road, log, log.vehicle(ego)).collect(),
                 None => Vec::new(),
             },
-            tracks: log.vehicles.iter().enumerate().map(track).collect(),
+            tracks: vec![OnceLock::new(); lanes],
             log,
             ego,
-            lane,
+            course: road.map_or_else(|| Course::Own(own()), Course::Road),
             horizon,
         }
     }
@@ -176,9 +179,9 @@ impl<'a> Replay<'a> {
 
     /// [m] length of the ego's recorded path, where that is the frame.
     pub fn path_length(&self) -> Option<f64> {
-        match &self.lane {
-            Lane::Road(_) => None,
-            Lane::Own(path) => Some(path.length()),
+        match &self.course {
+            Course::Road(_) => None,
+            Course::Own(path) => Some(path.length()),
         }
     }
 
@@ -189,11 +192,15 @@ impl<'a> Replay<'a> {
 
     fn moment(&self, ego_row: usize) -> Moment<'_> {
         let row = self.log.vehicle(self.ego).rows[ego_row];
-        let frame = self.lane.frame(ego_row);
-        let (s, d) = match &frame {
-            Frame::Road(_) => (self.places[ego_row].s, self.places[ego_row].d),
-            Frame::Path(ahead) => (ahead.s(), 0.0),
-            Frame::Straight(straight) => (straight.s(), 0.0),
+        let frame = self.frame(ego_row);
+        // On its own path the ego is aligned: that comes along its heading.
+        let (s, d, turn) = match &frame {
+            Frame::Road(road, lane) => {
+                let foot = along_lane(road, *lane, self.places[ego_row]);
+                (foot.s, foot.d, foot.turn(row.pose.heading))
+            }
+            Frame::Path(ahead) => (ahead.s(), 0.0, 0.0),
+            Frame::Straight(straight) => (straight.s(), 0.0, 0.0),
         };
         let others = self.log.vehicles.iter().enumerate();
         let actors = others.filter(|(place, _)| *place != self.ego.index());
@@ -205,7 +212,7 @@ impl<'a> Replay<'a> {
                 d,
                 speed: row.speed,
                 accel: row.accel,
-                footprint: row.footprint,
+                footprint: row.footprint.turned(turn),
             },
             pose: row.pose,
             actors: actors
@@ -214,23 +221,50 @@ impl<'a> Replay<'a> {
         }
     }
 
+    /// The frame at one of the ego's rows.
+    fn frame(&self, row: usize) -> Frame<'_> {
+        match &self.course {
+            Course::Road(road) => Frame::Road(road, LaneFrame::lane(road, self.places[row].d)),
+            Course::Own(path) => path
+                .from(row)
+                .map_or_else(|| Frame::Straight(path.straight(row)), Frame::Path),
+        }
+    }
+
+    /// The vehicles in a frame.
+    fn tracks(&self, frame: &Frame<'_>) -> &[Option<Track>] {
+        let (lane, first) = match frame {
+            Frame::Road(_, lane) if self.tracks.len() > 1 => (usize::from(lane.0) - 1, *frame),
+            Frame::Road(..) => (0, *frame),
+            Frame::Path(_) | Frame::Straight(_) => (0, self.frame(0)),
+        };
+        self.tracks[lane].get_or_init(|| {
+            let track = |(place, vehicle): (usize, &Vehicle)| {
+                let others = place != self.ego.index() && !matches!(first, Frame::Straight(_));
+                others.then(|| Track::new(self.log, vehicle, &first))
+            };
+            self.log.vehicles.iter().enumerate().map(track).collect()
+        })
+    }
+
     /// A vehicle that is there at a step, at which the ego is at `ego_s` [m].
     fn actor(&self, frame: &Frame<'_>, id: ActorId, step: usize, ego_s: f64) -> Option<Actor<'_>> {
         let vehicle = self.log.vehicle(id);
         let first = vehicle.row_at(step)?;
-        let track = self.tracks[id.index()].as_ref();
+        let track = self.tracks(frame)[id.index()].as_ref();
         // [m] laps from the place at which the vehicle was found to where it is nearest to the ego: none but on a ring.
         let laps = match (frame, track) {
-            (Frame::Road(road), Some(track)) => {
-                let there = track.feet[first].s;
-                road.nearest_lap(there, ego_s) - there
-            }
+            (Frame::Road(road, lane), Some(track)) => road.lap().map_or(0.0, |lap| {
+                let frame = LaneFrame::of(road, *lane);
+                let lap = frame.place(lap) - frame.place(0.0);
+                ((ego_s - track.feet[first].s) / lap).round() * lap
+            }),
             _ => 0.0,
         };
         let known = |row: usize| {
             let mut foot = track.map(|track| track.feet[row])?;
             match frame {
-                Frame::Road(_) => {
+                Frame::Road(..) => {
                     foot.s += laps;
                     Some(foot)
                 }
@@ -270,23 +304,12 @@ impl<'a> Replay<'a> {
     }
 }
 
-impl Lane<'_> {
-    /// The frame at one of the ego's rows.
-    fn frame(&self, row: usize) -> Frame<'_> {
-        match self {
-            Self::Road(road) => Frame::Road(road),
-            Self::Own(path) => path
-                .from(row)
-                .map_or_else(|| Frame::Straight(path.straight(row)), Frame::Path),
-        }
-    }
-}
-
 impl Track {
     fn new(log: &Log, vehicle: &Vehicle, frame: &Frame<'_>) -> Self {
         let mut feet: Vec<Foot> = Vec::with_capacity(vehicle.rows.len());
-        if let Frame::Road(road) = frame {
-            feet.extend(places_on(road, log, vehicle).map(|place| on_road(road, place)));
+        if let Frame::Road(road, lane) = frame {
+            let places = places_on(road, log, vehicle);
+            feet.extend(places.map(|place| along_lane(road, *lane, place)));
         } else {
             for row in &vehicle.rows {
                 let hint = feet.last().map(|foot| foot.s);
@@ -312,7 +335,13 @@ fn recording(log: &Log, rows: &[Row], feet: &[Foot]) -> Recording {
     // Times of a log increase, its numbers are bounded, and every vehicle has a row.
     let future = trajectory(&samples)
         .unwrap_or_else(|error| unreachable!("rows of a log are samples: {error}"));
-    Recording::new(future)
+    let boxes = rows.iter().zip(feet).map(|(row, foot)| {
+        let turn = foot.turn(row.pose.heading);
+        (log.steps[row.step].time, row.footprint.turned(turn))
+    });
+    let extents = extents(rows[0].footprint, boxes)
+        .unwrap_or_else(|error| unreachable!("rows of a log are samples: {error}"));
+    Recording::new(Trajectory { extents, ..future })
 }
 
 fn body(row: &Row, foot: &Foot) -> Body {
