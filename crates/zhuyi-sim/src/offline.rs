@@ -322,6 +322,10 @@ fn moved(mut body: Body, laps: f64) -> Body {
 }
 
 /// What a run asked for at most.
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "findings that do not exclude each other"
+)]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Peaks {
     /// [FPR] the largest demand of each camera, in the order of the rig.

@@ -159,7 +159,7 @@ fn law_so_it_is_on_real_recordings() {
 }
 
 #[test]
-#[ignore = "minutes: cargo test --release -p zhuyi-log --test log -- --ignored cuts"]
+#[ignore = "half a minute: cargo test -p zhuyi-log --test log -- --ignored cuts"]
 fn law_so_it_is_on_real_recordings_at_every_row_of_every_vehicle() {
     recordings(1, 1);
 }
