@@ -18,8 +18,8 @@
 
 use crate::ego_motion::Start;
 use crate::lines::{Lines, Side};
-use crate::recording::View;
-use crate::swing::{Swing, first_box};
+use crate::recording::{AcrossBlock, View};
+use crate::swing::{Swing, stand};
 use crate::{Ego, Params};
 use zhuyi_core::Footprint;
 
@@ -55,20 +55,27 @@ pub(crate) struct Corridor<'a> {
     /// [m] `s` of the ego's centre at t_0.
     pub ego: f64,
     pub lines: Lines,
-    /// How the actor's box turns; none where it stands as at first.
+    /// How the actor's box turns; none where it keeps the extents that the lines count.
     pub swing: Option<Swing<'a>>,
+    /// The extents that the lines count and the blocks of a recording too, as it turned earlier.
+    pub kept_of_blocks: Footprint,
     pub horizon: f64,
 }
 
 impl<'a> Corridor<'a> {
     #[inline]
     pub fn new(params: &Params, ego: &Ego, actor: Footprint, view: &'a View<'a>) -> Self {
+        let (box_kept, swing) = stand(actor, view.future.extents, view.future.now);
         Self {
             view,
             held: Start::new(ego.speed, ego.accel),
             ego: ego.s,
-            lines: Lines::new(params, ego, first_box(actor, view.future.extents)),
-            swing: Swing::of(&view.future),
+            lines: Lines::new(params, ego, box_kept),
+            swing,
+            kept_of_blocks: match (view.coarse, swing) {
+                (Some(coarse), None) if coarse.turning => box_kept,
+                _ => Footprint::default(),
+            },
             horizon: params.horizon,
         }
     }
@@ -125,8 +132,14 @@ impl<'a> Corridor<'a> {
         self.actor_at(time) - self.ego - self.held.distance(time)
     }
 
-    /// [m] by how much the actor's front and rear stand further out than at first.
-    pub fn grown_along(&self, time: f64) -> f64 {
+    /// The one relation on all of a block; none where it may change.
+    #[inline]
+    fn side_over(&self, block: &AcrossBlock) -> Option<Side> {
+        self.lines.side_over(block, self.kept_of_blocks.width / 2.0)
+    }
+
+    /// [m] half extent of the actor along the path, beyond what the lines count.
+    pub fn half_along(&self, time: f64) -> f64 {
         self.swing.map_or(0.0, |swing| swing.at(time).along)
     }
 
@@ -177,7 +190,7 @@ impl Walk {
             ego, body, lane, ..
         } = corridor.lines;
         for (block, next) in view.across_blocks(self.index, self.time) {
-            if let Some(side) = corridor.lines.side_over(block) {
+            if let Some(side) = corridor.side_over(block) {
                 let end = (block.end - view.future.now).min(horizon);
                 return (side, end, next);
             }
@@ -241,7 +254,8 @@ impl Walk {
         });
         let block = || {
             let mut blocks = view.across_blocks(self.index, self.time);
-            blocks.find_map(|(block, next)| Some((lines.side_over(block)?, block.end - now, next)))
+            blocks
+                .find_map(|(block, next)| Some((corridor.side_over(block)?, block.end - now, next)))
         };
         if let Some((side, end, next)) = run.or_else(block) {
             let end = end.min(horizon);
@@ -313,7 +327,7 @@ impl Walk {
             self.stay = None;
         } else if self.stay.is_none() {
             let (ahead, reach) = (corridor.ahead(start), corridor.lines.reach);
-            let reach = reach + corridor.grown_along(start);
+            let reach = reach + corridor.half_along(start);
             let counts = ahead >= -reach;
             abreast = counts && ahead < reach;
             self.conflict_seen |= counts;

@@ -97,7 +97,7 @@ impl<'a> Encounter<'a> {
         let future = &self.corridor.view.future;
         let index = self.corridor.view.along_index(time);
         let (piece, at) = (&future.along[index], time + future.now);
-        let rear = piece.s_at(at) - self.corridor.grown_along(time);
+        let rear = piece.s_at(at) - self.corridor.half_along(time);
         (rear - self.datum.origin, piece.v_at(at))
     }
 
@@ -108,8 +108,8 @@ impl<'a> Encounter<'a> {
         let before = |piece: &Along| piece.time - future.now < end;
         let index = future.along.partition_point(before).saturating_sub(1);
         let (piece, at) = (&future.along[index], end + future.now);
-        let grown = (self.corridor.swing).map_or(0.0, |swing| swing.before(end).along);
-        let (gap, actor_speed) = (piece.s_at(at) - grown - self.datum.origin, piece.v_at(at));
+        let half = (self.corridor.swing).map_or(0.0, |swing| swing.before(end).along);
+        let (gap, actor_speed) = (piece.s_at(at) - half - self.datum.origin, piece.v_at(at));
         let (phase, _) = candidate.motion.phase_and_end(end);
         let Margins { c1, c2 } = self.margins;
         distance_slack(c1, gap, phase.distance_at(end)) >= -TOLERANCE
@@ -167,8 +167,13 @@ impl<'a> Encounter<'a> {
 
     /// Whether for sure nothing happens to a candidate on a block.
     pub fn is_idle(&self, ask: Ask, candidate: &Candidate, block: &Cell<'_, AlongBlock>) -> bool {
+        let kept = self.corridor.kept_of_blocks.length / 2.0;
+        let datum = Datum {
+            origin: self.datum.origin - kept,
+            ..self.datum
+        };
         parts(&candidate.motion, block.start, block.end).all(|(phase, a, b)| {
-            let outline = Outline::new(a, b, block.piece, self.datum, phase);
+            let outline = Outline::new(a, b, block.piece, datum, phase);
             let reacted = ask.met && phase.start >= candidate.reaction_time;
             (!ask.contact || outline.is_clear()) && (!reacted || outline.is_unmet(self.margins))
         })

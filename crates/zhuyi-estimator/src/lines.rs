@@ -21,7 +21,7 @@ pub(crate) struct Lines {
 }
 
 impl Lines {
-    /// For an actor whose box stands like this at first.
+    /// For an actor that keeps these extents; of one that turns none.
     pub fn new(params: &Params, ego: &Ego, actor: Footprint) -> Self {
         let body = ego.footprint.half_widths(actor);
         Self {
@@ -32,13 +32,13 @@ impl Lines {
         }
     }
 
-    /// The edges of an actor's box at offset `d`, from the ego's offset, when it stands `grown` [m] further out than at first.
+    /// The edges of an actor's box at offset `d` that reaches `half` [m] to each side beyond what these lines count.
     #[inline]
-    pub fn edges(&self, d: f64, grown: f64) -> Edges {
+    pub fn edges(&self, d: f64, half: f64) -> Edges {
         let offset = d - self.ego;
         Edges {
-            right: offset - grown,
-            left: offset + grown,
+            right: offset - half,
+            left: offset + half,
         }
     }
 
@@ -56,14 +56,15 @@ impl Lines {
         }
     }
 
-    /// The one relation on all of a block; none where it may change.
+    /// The one relation on all of a block, whose edges count `half` [m] that these lines count too; none where it may change.
     #[inline]
-    pub fn side_over(&self, block: &AcrossBlock) -> Option<Side> {
+    pub fn side_over(&self, block: &AcrossBlock, half: f64) -> Option<Side> {
         let Self {
             ego, body, lane, ..
         } = *self;
-        let (right_min, right_max) = (block.right_min - ego, block.right_max - ego);
-        let (left_min, left_max) = (block.left_min - ego, block.left_max - ego);
+        let (right, left) = (half - ego, -half - ego);
+        let (right_min, right_max) = (block.right_min + right, block.right_max + right);
+        let (left_min, left_max) = (block.left_min + left, block.left_max + left);
         if right_min >= lane || left_max <= -lane {
             Some(Side::Apart)
         } else if right_max < body && left_min > -body {
@@ -104,8 +105,8 @@ impl Lines {
     }
 }
 
-/// Edges of an actor's box, as offsets from the ego's [m]: of a box that stands as at first both are that of its centre, else
-/// one is as much further to the right and the other to the left as it has grown.
+/// Edges of an actor's box, as offsets from the ego's [m], less what the lines count of it: of a box that keeps its extents
+/// both are the offset of its centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Edges {
     pub right: f64,

@@ -18,7 +18,7 @@ use crate::estimate::{State, Tolerance};
 use crate::lines::{Lines, Side};
 use crate::proof::Proof;
 use crate::recording::{Recording, View, for_each_edge};
-use crate::swing::{Swing, first_box};
+use crate::swing::{Swing, stand};
 use crate::{Ego, Estimator, Future};
 
 /// After how many questions a proof is tried again where there was none.
@@ -97,7 +97,7 @@ impl Playback<'_> {
     pub fn tolerance(&mut self, ego: &Ego, now: f64, current_latency: f64) -> Tolerance {
         let params = self.estimator.params();
         let extents = &self.recording.trajectory().extents;
-        let lines = Lines::new(params, ego, first_box(self.actor, extents));
+        let lines = Lines::new(params, ego, stand(self.actor, extents, now).0);
         let held = Start::new(ego.speed, ego.accel);
         if let Some(proof) = &self.proof {
             let is_near = self.lines.is_some_and(|kept| kept.are_near(&lines));
@@ -206,7 +206,8 @@ impl Playback<'_> {
             (self.lines, self.proof) = (Some(lines), None);
             self.runs.clear();
             if is_near {
-                let swing = Swing::new(extents, 0.0);
+                let (_, swing) = stand(self.actor, extents, now);
+                let swing = swing.map(Swing::on_its_clock);
                 derive(across, swing, &lines, &mut self.runs);
             }
         }
@@ -218,9 +219,9 @@ impl Playback<'_> {
         let (Some(last), [along, across]) = (self.runs.last(), now.first) else {
             return false;
         };
-        let swing = Swing::new(&self.recording.trajectory().extents, 0.0);
-        let grown = swing.map_or(0.0, |swing| swing.at(now.time).along);
-        let is_behind = |piece: &Along| piece.s_at(now.time) - ego.s < -lines.reach - grown;
+        let (_, swing) = stand(self.actor, &self.recording.trajectory().extents, now.time);
+        let reach = lines.reach + swing.map_or(0.0, |swing| swing.at(0.0).along);
+        let is_behind = |piece: &Along| piece.s_at(now.time) - ego.s < -reach;
         last.first <= across
             && match last.side {
                 Some(Side::Apart) => true,
@@ -275,8 +276,8 @@ fn derive(pieces: &[Across], swing: Option<Swing<'_>>, lines: &Lines, runs: &mut
 /// The one relation of an actor on a piece that lasts until `end`.
 fn one_side(piece: &Across, end: f64, swing: Option<Swing<'_>>, lines: &Lines) -> Option<Side> {
     let (mut before, mut side, mut one) = (None, None, true);
-    for_each_edge(piece, piece.time, end, swing, |d, grown| {
-        let edges = lines.edges(d, grown);
+    for_each_edge(piece, piece.time, end, swing, |d, half| {
+        let edges = lines.edges(d, half);
         if let Some(before) = before.replace(edges) {
             let between = lines.side_between(before, edges);
             one &= between.is_some() && side.is_none_or(|side| Some(side) == between);

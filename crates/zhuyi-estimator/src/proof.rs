@@ -261,8 +261,8 @@ impl Stay {
                     lines: corridor.lines,
                     until: encounter.datum.now + entry.start,
                     limit: Some({
-                        let grown = corridor.grown_along(entry.start);
-                        corridor.actor_at(entry.start) + corridor.lines.reach + grown
+                        let half = corridor.half_along(entry.start);
+                        corridor.actor_at(entry.start) + corridor.lines.reach + half
                     }),
                 })
             }

@@ -55,6 +55,8 @@ pub struct Recording {
 /// The coarse view of a trajectory.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Coarse {
+    /// Whether blocks are of edges, since the box turns at some time, and not of its centre.
+    pub turning: bool,
     pub along: [Vec<AlongBlock>; ALONG_BLOCKS.len()],
     across: [Vec<AcrossBlock>; ACROSS_BLOCKS.len()],
 }
@@ -70,8 +72,9 @@ impl Recording {
 
     /// Its coarse view.
     pub(crate) fn coarse(&self) -> &Coarse {
-        let swing = Swing::new(&self.trajectory.extents, 0.0);
+        let swing = Swing::of_all(&self.trajectory.extents);
         self.coarse.get_or_init(|| Coarse {
+            turning: swing.is_some(),
             along: ALONG_BLOCKS.map(|size| {
                 let blocks = blocks(&self.trajectory.along, size);
                 let block = |(pieces, behind): (&[Along], &Along)| match swing {
@@ -202,10 +205,10 @@ impl<'a> View<'a> {
         if swing.is_some_and(|swing| swing.changes_within(start, end)) {
             return None;
         }
-        let grown = |time: f64| swing.map_or(0.0, |swing| swing.at(time).across);
+        let half = |time: f64| swing.map_or(0.0, |swing| swing.at(time).across);
         let edges = [
-            lines.edges(piece.d, grown(start)),
-            lines.edges(piece.d + (end - start) * piece.d_rate, grown(end)),
+            lines.edges(piece.d, half(start)),
+            lines.edges(piece.d + (end - start) * piece.d_rate, half(end)),
         ];
         let inside = edges.map(|edges| lines.holds(edges));
         // On its way from one side to the other it passes through.
@@ -362,15 +365,15 @@ fn across_block(pieces: &[Across], end: f64, swing: Option<Swing<'_>>) -> Across
     };
     let ends = pieces.iter().skip(1).map(|piece| piece.time).chain([end]);
     for (piece, end) in pieces.iter().zip(ends) {
-        for_each_edge(piece, piece.time, end, swing, |d, grown| {
-            widen_to(&mut block.right_min, &mut block.right_max, d - grown);
-            widen_to(&mut block.left_min, &mut block.left_max, d + grown);
+        for_each_edge(piece, piece.time, end, swing, |d, half| {
+            widen_to(&mut block.right_min, &mut block.right_max, d - half);
+            widen_to(&mut block.left_min, &mut block.left_max, d + half);
         });
     }
     block
 }
 
-/// Tells offset and growth of the box across at both ends of a piece that lasts from `start` to `end` and wherever its half
+/// Tells offset and half extent across of a box that turns at both ends of a piece that lasts from `start` to `end` and wherever its half
 /// extents change in between; from one to the next the edges go straight.
 pub(crate) fn for_each_edge(
     piece: &Across,

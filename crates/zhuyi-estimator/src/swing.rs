@@ -1,16 +1,12 @@
-//! A box that turns against the path: by how much its edges stand further out than they did at first (reading R7).
+//! A box that turns against the path: where its edges are (reading R7).
 //!
 //! ```text
-//!  rear = s - h_s(0) - δ_s(t)      front = s + h_s(0) + δ_s(t)      right, left = d ∓ (h_d(0) + δ_d(t))
+//!  rear, front = s ∓ h_s(t)      right, left = d ∓ h_d(t)
 //! ```
 //!
-//! | symbol | meaning | unit |
-//! |---|---|---|
-//! | h_s, h_d | half extents of the box along and across the path | m |
-//! | δ_s, δ_d | what they have grown by since the first piece of the list began | m |
-//!
-//! Half extents come in pieces of their own, which are few: most boxes never turn, and for those that do not the list is
-//! empty or one piece, and nothing here is looked at.
+//! `h_s` and `h_d` [m] are the half extents of the box along and across the path. They come in pieces of their own, which are
+//! few: most boxes never turn, and of one that stands from t_0 on as it does then, the list has one piece left or none. Only of
+//! the others the edges are looked at ([`Swing`]); what came before t_0 plays no part in which it is.
 
 use zhuyi_core::{Along, Extent, Footprint};
 
@@ -24,41 +20,50 @@ pub(crate) struct Swing<'a> {
     now: f64,
 }
 
-/// Growth of the half extents from a time on, until the next piece starts.
+/// Half extents at a time.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Growth {
-    /// [m] δ_s and δ_d.
+pub(crate) struct Halves {
+    /// [m] along and across the path.
     pub along: f64,
     pub across: f64,
-    /// [m/s] rate of δ_s.
+    /// [m/s] rate of the one along.
     pub along_rate: f64,
 }
 
-/// The box as it stands at first, which is how it always stands where its future tells nothing of it.
+/// How the box of an actor stands from t_0 = `now` on: the extents that it keeps; or none and how it turns.
 #[inline]
-pub(crate) fn first_box(actor: Footprint, extents: &[Extent]) -> Footprint {
-    extents.first().map_or(actor, |first| Footprint {
-        length: 2.0 * first.along,
-        width: 2.0 * first.across,
-    })
+pub(crate) fn stand(
+    actor: Footprint,
+    extents: &[Extent],
+    now: f64,
+) -> (Footprint, Option<Swing<'_>>) {
+    if extents.is_empty() {
+        return (actor, None);
+    }
+    let swing = Swing { extents, now };
+    match extents[swing.index(0.0)..] {
+        [only] if only.is_at_rest() => {
+            let kept = Footprint {
+                length: 2.0 * only.along,
+                width: 2.0 * only.across,
+            };
+            (kept, None)
+        }
+        _ => (Footprint::default(), Some(swing)),
+    }
 }
 
 impl<'a> Swing<'a> {
-    /// The swing of a future; none where the box stands as it does at first.
+    /// The swing of a future from t_0 on; none where the box stands as it does then.
     #[inline]
     pub fn of(future: &Future<'a>) -> Option<Self> {
-        Self::new(future.extents, future.now)
+        stand(Footprint::default(), future.extents, future.now).1
     }
 
-    /// The same of a list, seen from t_0 = `now` on its clock.
-    #[inline]
-    pub fn new(extents: &'a [Extent], now: f64) -> Option<Self> {
-        let turns = match extents {
-            [] => false,
-            [only] => !only.is_at_rest(),
-            _ => true,
-        };
-        turns.then_some(Self { extents, now })
+    /// The swing of a whole list, on its clock; none where the box always stands alike.
+    pub fn of_all(extents: &'a [Extent]) -> Option<Self> {
+        let whole = stand(Footprint::default(), extents, f64::NEG_INFINITY).1;
+        whole.map(Self::on_its_clock)
     }
 
     /// Place of the piece that holds at `time`; before the list begins it is the first.
@@ -75,24 +80,24 @@ impl<'a> Swing<'a> {
         next.map_or(f64::INFINITY, |next| next.time - self.now)
     }
 
-    /// The growth at a time within a piece.
-    pub fn on(&self, index: usize, time: f64) -> Growth {
-        let (first, piece) = (&self.extents[0], &self.extents[index]);
+    /// The half extents at a time within a piece.
+    pub fn on(&self, index: usize, time: f64) -> Halves {
+        let piece = &self.extents[index];
         let (along, across) = piece.at(time + self.now);
-        Growth {
-            along: along - first.along,
-            across: across - first.across,
+        Halves {
+            along,
+            across,
             along_rate: piece.along_rate,
         }
     }
 
-    /// The growth at a time.
-    pub fn at(&self, time: f64) -> Growth {
+    /// The half extents at a time.
+    pub fn at(&self, time: f64) -> Halves {
         self.on(self.index(time), time)
     }
 
-    /// The growth at a time as the piece before it has it.
-    pub fn before(&self, time: f64) -> Growth {
+    /// The half extents at a time as the piece before it has them.
+    pub fn before(&self, time: f64) -> Halves {
         let begun = |piece: &Extent| piece.time - self.now < time;
         let index = self.extents.partition_point(begun).saturating_sub(1);
         self.on(index, time)
@@ -100,12 +105,17 @@ impl<'a> Swing<'a> {
 
     /// A piece of motion along the path as the rear of the box makes it while a piece of the half extents lasts.
     pub fn rear(&self, index: usize, piece: &Along) -> Along {
-        let growth = self.on(index, piece.time - self.now);
+        let halves = self.on(index, piece.time - self.now);
         Along {
-            s: piece.s - growth.along,
-            s_rate: piece.s_rate - growth.along_rate,
+            s: piece.s - halves.along,
+            s_rate: piece.s_rate - halves.along_rate,
             ..*piece
         }
+    }
+
+    /// The same on the clock of the list.
+    pub fn on_its_clock(self) -> Self {
+        Self { now: 0.0, ..self }
     }
 
     /// Whether the box stands as at first before the list begins.

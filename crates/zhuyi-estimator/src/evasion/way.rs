@@ -11,7 +11,7 @@ use crate::ego_motion::{EgoMotion, Start};
 use crate::encounter::Delay;
 use crate::room::{Room, with_room};
 use crate::stretch::{Datum, Stretch};
-use crate::swing::{Swing, first_box};
+use crate::swing::{Swing, stand};
 use crate::{Ego, Future, Params};
 
 /// The least offsets of the ego to the left and to the right of an actor, wherever that goes in the horizon and however it
@@ -66,7 +66,7 @@ pub(super) struct Way<'a> {
     future: Future<'a>,
     ego: Ego,
     actor: Footprint,
-    /// How the actor's box turns; none where it stands as at first.
+    /// How the actor's box turns; none where it keeps its extents.
     swing: Option<Swing<'a>>,
     datum: Datum,
     held: Start,
@@ -87,7 +87,7 @@ impl<'a> Way<'a> {
         future: Future<'a>,
         target: f64,
     ) -> Self {
-        let first = first_box(actor, future.extents);
+        let (box_kept, swing) = stand(actor, future.extents, future.now);
         let duration = if target == ego.d {
             0.0
         } else {
@@ -97,10 +97,10 @@ impl<'a> Way<'a> {
             future,
             ego: *ego,
             actor,
-            swing: Swing::of(&future),
+            swing,
             datum: Datum {
                 now: future.now,
-                origin: ego.s + ego.footprint.half_lengths(first),
+                origin: ego.s + ego.footprint.half_lengths(box_kept),
             },
             held: Start::new(ego.speed, ego.accel),
             strip: (target.min(ego.d), target.max(ego.d)),
