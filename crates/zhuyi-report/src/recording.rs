@@ -11,6 +11,7 @@ use std::collections::BTreeMap;
 
 use serde_json::{Value, json};
 use zhuyi_core::{ActorId, Body as Truth, Footprint, FrameRates, Pose};
+use zhuyi_estimator::criticality::Approach;
 use zhuyi_estimator::{Demand, Estimator, Future, Watch};
 use zhuyi_lab::compare::models::Panel;
 use zhuyi_log::{Log, Moment, Replay, evaluate};
@@ -18,7 +19,7 @@ use zhuyi_perception::View;
 use zhuyi_scenario::System;
 
 use crate::drive::column::{Steps, Track};
-use crate::drive::columns::{LONGEST_TTC, closeness, most_demanding};
+use crate::drive::columns::{LONGEST_TTC, most_demanding};
 use crate::drive::document::{Actor, Body, Camera, Document, Provenance, Road};
 use crate::drive::moments::Worst;
 use crate::drive::{CONTAINS, ROUNDING};
@@ -193,11 +194,12 @@ impl Recording<'_> {
         let actors = moment.actors.iter().zip(visible);
         let seen = actors.map(|(actor, visible)| {
             let body: &Truth = &actor.body;
-            let (gap, ttc) = closeness(&moment.ego, body);
             let covering = rig
                 .iter()
                 .filter(|watch| watch.camera.covers_body(moment.pose, body));
             let future = Future::new(actor.future.trajectory(), moment.time);
+            // No margin: this is measured, and no corridor of a model.
+            let approach = Approach::of(&moment.ego, body.footprint, &future, 0.0);
             let latencies = most_demanding(
                 panel.models.len(),
                 covering.map(|watch| watch.current_latency),
@@ -211,8 +213,8 @@ impl Recording<'_> {
                 footprint: body.footprint,
                 visible,
                 distance: libm::hypot(dx, dy),
-                gap,
-                ttc,
+                gap: approach.map(|approach| approach.gap),
+                ttc: approach.and_then(|approach| approach.ttc()),
                 latencies,
             };
             (actor.id.index(), seen)

@@ -22,7 +22,7 @@ pub struct Start {
 impl Start {
     /// The start that a script means, given the ego's body at its start.
     pub fn of(actor: &Actor, ego: &Ego, vehicle: &Vehicle) -> Self {
-        let half = f64::midpoint(vehicle.footprint.length, actor.footprint.length);
+        let half = vehicle.footprint.half_lengths(actor.footprint);
         let s = match actor.start.along {
             Place::Ahead(gap) => ego.road.s + half + gap,
             Place::Behind(gap) => ego.road.s - half - gap,

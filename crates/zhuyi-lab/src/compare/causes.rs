@@ -11,7 +11,7 @@
 //!
 //! The first that holds counts. Left out: other assumptions of the models, such as a braking that builds up.
 
-use zhuyi_core::{Across, ActorId, Along};
+use zhuyi_core::{Across, ActorId, Along, Extent};
 use zhuyi_estimator::{Demand, Estimator, Future};
 use zhuyi_sim::Hindsight;
 use zhuyi_sim::trace::Row;
@@ -52,9 +52,15 @@ impl KinderWorlds {
                     d: start.d,
                     d_rate: start.d_rate,
                 }];
+                let stands = Extent::held(future.box_at(body, 0.0));
+                let extents = [Extent {
+                    time: future.now,
+                    ..stands
+                }];
                 let going_on = Future {
                     along: &along,
                     across: &across,
+                    extents: &extents,
                     ..future
                 };
                 estimator.trajectory(&ego, body, &going_on, current_latency)

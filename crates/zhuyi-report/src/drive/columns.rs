@@ -2,8 +2,9 @@
 
 use zhuyi_core::Body as Truth;
 use zhuyi_core::approach::time_to_collision;
-use zhuyi_core::{ActorId, FrameRates};
-use zhuyi_estimator::{Demand, Ego, Estimate, Estimator};
+use zhuyi_core::boxes::{distance, swept_gap};
+use zhuyi_core::{ActorId, FrameRates, LaneFrame};
+use zhuyi_estimator::{Demand, Estimate, Estimator};
 use zhuyi_lab::compare::models::Panel;
 use zhuyi_perception::View;
 use zhuyi_sim::Hindsight;
@@ -44,6 +45,7 @@ impl Columns {
         let mut worst = Worst::new(trace.names(), names.collect());
         for (place, row) in trace.rows().enumerate() {
             let time = row.time.seconds();
+            let lane = LaneFrame::at(&drive.scenario.road, row.ego.road.d);
             worst.ego(&row);
             let rates = witness.rates(place).iter().enumerate();
             for (camera, rate) in rates.filter(|(camera, _)| eyes[*camera].camera.analysed) {
@@ -52,7 +54,7 @@ impl Columns {
                 worst.camera(time, camera, (demand.fpr, by), *rate);
             }
             for actor in 0..row.actors.len() {
-                let (gap, ttc) = closeness(&along(row.ego), &row.actors[actor]);
+                let (gap, ttc) = closeness(&lane, row.ego, &row.actors[actor]);
                 worst.closeness(time, actor, gap, ttc);
                 let belief = &witness.beliefs(place)[actor];
                 if let (true, Some(track)) = (belief.confirmed, &belief.track) {
@@ -132,13 +134,13 @@ impl Estimates {
 }
 
 /// [s] the tolerable latency for an actor by so many models: the most demanding answer over the cameras that have it in view,
-/// given the current latencies [s] of these, and what all models answer at one.
+/// given the current latencies [s] of these, and what all models answer at one; none of a model that is not defined for it.
 pub(crate) fn most_demanding(
     models: usize,
     current_latencies: impl Iterator<Item = f64>,
-    answers: impl Fn(f64) -> Vec<Estimate>,
+    answers: impl Fn(f64) -> Vec<Option<Estimate>>,
 ) -> Vec<Option<f64>> {
-    let mut most: Option<Vec<Estimate>> = None;
+    let mut most: Option<Vec<Option<Estimate>>> = None;
     let mut done: Vec<f64> = Vec::new();
     for l_0 in current_latencies {
         if done.contains(&l_0) {
@@ -151,16 +153,19 @@ pub(crate) fn most_demanding(
             Some(before) => before
                 .into_iter()
                 .zip(answers)
-                .map(|(one, other)| match one.by_importance(&other) {
-                    std::cmp::Ordering::Greater => other,
-                    _ => one,
+                .map(|(one, other)| match (one, other) {
+                    (Some(one), Some(other)) if one.by_importance(&other).is_gt() => Some(other),
+                    (one, _) => one,
                 })
                 .collect(),
         });
     }
     match most {
         None => vec![None; models],
-        Some(answers) => answers.iter().map(latency).collect(),
+        Some(answers) => answers
+            .iter()
+            .map(|answer| answer.as_ref().and_then(latency))
+            .collect(),
     }
 }
 
@@ -190,26 +195,21 @@ fn visible(drive: &Drive<'_>) -> Vec<Vec<bool>> {
     visible
 }
 
-/// The ego as it moves along the road.
-fn along(ego: &Truth) -> Ego {
-    Ego {
-        s: ego.road.s,
-        d: ego.road.d,
-        speed: ego.s_rate,
-        accel: ego.accel,
-        footprint: ego.footprint,
+/// [m] least distance of the boxes and [s] time to collision along the ego's lane, of an actor ahead that overlaps the ego side
+/// to side; as the smallest ones of a run ([`zhuyi_sim::Extremes`]).
+fn closeness(lane: &LaneFrame<'_>, ego: &Truth, other: &Truth) -> (Option<f64>, Option<f64>) {
+    if !other.overlaps_sideways(ego) || other.road.s <= ego.road.s {
+        return (None, None);
     }
-}
-
-/// [m] gap from bumper to bumper and [s] time to collision, of an actor ahead that overlaps the ego side to side.
-pub(crate) fn closeness(ego: &Ego, other: &Truth) -> (Option<f64>, Option<f64>) {
-    let gap = other.rear() - (ego.s + ego.footprint.length / 2.0);
-    let apart = (other.road.d - ego.d).abs();
-    let in_the_way =
-        gap >= 0.0 && apart < f64::midpoint(other.footprint.width, ego.footprint.width);
-    let closing = ego.speed - other.s_rate;
-    let ttc = time_to_collision(gap, closing).filter(|_| in_the_way);
-    (in_the_way.then_some(gap), ttc)
+    let (along, ahead) = (lane.body(ego), lane.body(other));
+    let gap = if ego.turn == 0.0 && other.turn == 0.0 {
+        ahead.rear() - along.front()
+    } else {
+        distance((ego.footprint, ego.pose), (other.footprint, other.pose))
+    };
+    let closing = along.s_rate - ahead.s_rate;
+    let ttc = swept_gap(&along, &ahead).and_then(|gap| time_to_collision(gap, closing));
+    ((gap >= 0.0).then_some(gap), ttc)
 }
 
 fn body(drive: &Drive<'_>, place: usize) -> Body {
@@ -245,9 +245,10 @@ fn actor(drive: &Drive<'_>, estimates: &Estimates, visible: &[Vec<bool>], place:
         .zip(tracks())
         .map(|(row, track)| track.map(|track| (row.time - track.seen).seconds().max(0.0)));
     let near = || {
-        trace
-            .rows()
-            .map(|row| closeness(&along(row.ego), &row.actors[place]))
+        trace.rows().map(|row| {
+            let lane = LaneFrame::at(road, row.ego.road.d);
+            closeness(&lane, row.ego, &row.actors[place])
+        })
     };
     let ttc = near().map(|(_, ttc)| ttc.filter(|ttc| *ttc <= LONGEST_TTC));
     let speed = tracks().map(|track| track.map(|track| track.s_rate));

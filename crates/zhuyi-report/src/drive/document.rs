@@ -123,12 +123,12 @@ pub struct Actor {
     pub believed_speed_mps: Track,
     /// [s] how old the picture is on which that rests.
     pub age_s: Track,
-    /// [m] from bumper to bumper, while it is ahead in the ego's way.
+    /// [m] least distance of the boxes, while it is ahead in the ego's way; of a recording the gap of their extents.
     pub gap_m: Track,
-    /// [s] gap over closing speed.
+    /// [s] time to collision: the ego's way to its box over the closing speed.
     pub ttc_s: Track,
-    /// [s] per model the tolerable latency: 0 where none of the grid will do, none where no camera has it in view or no
-    /// rate helps.
+    /// [s] per model the tolerable latency: 0 where none of the grid will do, none where no camera has it in view, no
+    /// rate helps or the model is not defined for such an actor.
     pub latency_s: Vec<Steps>,
 }
 

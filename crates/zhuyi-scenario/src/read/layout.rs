@@ -90,7 +90,7 @@ fn check_lap(one: &Standing, ego: f64, lap: f64) {
 
 /// [m] the centre of an actor, given the ego's.
 fn centre(actor: &Actor, ego: f64, footprint: Footprint) -> f64 {
-    let halves = f64::midpoint(actor.footprint.length, footprint.length);
+    let halves = actor.footprint.half_lengths(footprint);
     match actor.start.along {
         Place::Ahead(gap) => ego + gap + halves,
         Place::Behind(gap) => ego - gap - halves,
