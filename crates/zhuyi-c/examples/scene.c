@@ -16,7 +16,7 @@ int main(void) {
     /* Ahead: from 44.5 m at 20 m/s with -8 m/s2; after 2.5 s and 25 m it stands. */
     const zhuyi_along brakes[] = {{0.0, 44.5, 20.0, -4.0, 20.0, -8.0}, {2.5, 69.5, 0.0, 0.0, 0.0, 0.0}};
     const zhuyi_across keeps_lane[] = {{0.0, 0.0, 0.0}};
-    const zhuyi_trajectory ahead = {brakes, 2, keeps_lane, 1, 20.0};
+    const zhuyi_trajectory ahead = {brakes, 2, keeps_lane, 1, 20.0, NULL, 0}; /* aligned */
 
     /* Left: three samples (t, s, d, v) of a car that passes, slows down and moves into the ego's lane. */
     const zhuyi_sample samples[] = {{0.0, 1.0, 3.5, 26.0}, {2.0, 49.0, 3.5, 22.0}, {4.0, 85.0, 0.0, 14.0}};

@@ -276,8 +276,35 @@ typedef struct zhuyi_across {
 } zhuyi_across;
 
 /**
- * One future of one actor, in pieces. Each list is sorted by time and not empty; its first piece also holds before
- * its start, its last one goes on for ever. The lists stay the caller's.
+ * Half extents along and across the road of a box as it stands, from `time` until the next piece starts. Of a box turned
+ * by an angle against the road they are (length |cos| + width |sin|) / 2 and (length |sin| + width |cos|) / 2.
+ */
+typedef struct zhuyi_extent {
+    /**
+     * [s] start of the piece.
+     */
+    double time;
+    /**
+     * [m] half extent along the road at its start; above 0.
+     */
+    double along;
+    /**
+     * [m/s] its rate of change.
+     */
+    double along_rate;
+    /**
+     * [m] half extent across the road at its start; above 0.
+     */
+    double across;
+    /**
+     * [m/s] its rate of change.
+     */
+    double across_rate;
+} zhuyi_extent;
+
+/**
+ * One future of one actor, in pieces. Each list is sorted by time; its first piece also holds before its start, its last
+ * one goes on for ever. The lists stay the caller's.
  */
 typedef struct zhuyi_trajectory {
     /**
@@ -300,6 +327,14 @@ typedef struct zhuyi_trajectory {
      * [s] time from which on the future is extrapolated rather than predicted.
      */
     double known_until;
+    /**
+     * Half extents of the box as it stands; null where it keeps aligned with the road.
+     */
+    const struct zhuyi_extent *extents;
+    /**
+     * Pieces of the half extents; 0 where it keeps aligned with the road.
+     */
+    size_t extent_count;
 } zhuyi_trajectory;
 
 /**
@@ -337,7 +372,7 @@ typedef struct zhuyi_ego {
      */
     double accel;
     /**
-     * Its box.
+     * Its box as it stands: its extents along and across the path, as of a zhuyi_extent twice over where it is turned.
      */
     struct zhuyi_footprint footprint;
 } zhuyi_ego;
@@ -573,7 +608,8 @@ void zhuyi_estimator_free(struct zhuyi_estimator *estimator);
  * A trajectory from samples, into *out: between two samples s, d and v are each interpolated linearly, past the
  * last one the actor keeps its speed and offset. Times must increase. The pieces are written to along and across,
  * which have room for sample_count entries each, lie apart from each other and from the samples, and must live as
- * long as *out is used. Allocates nothing.
+ * long as *out is used. The box is aligned with the road; for one that is not set extents and extent_count of *out.
+ * Allocates nothing.
  *
  * # Safety
  * Pointers are null or point to what they say.

@@ -25,7 +25,7 @@ pub struct Ego {
     pub speed: f64,
     /// [m/s2] acceleration, signed.
     pub accel: f64,
-    /// Its box.
+    /// Its box as it stands: its extents along and across the path, as of a zhuyi_extent twice over where it is turned.
     pub footprint: Footprint,
 }
 

@@ -77,7 +77,8 @@ pub unsafe extern "C" fn zhuyi_estimator_free(estimator: *mut Estimator) {
 /// A trajectory from samples, into *out: between two samples s, d and v are each interpolated linearly, past the
 /// last one the actor keeps its speed and offset. Times must increase. The pieces are written to along and across,
 /// which have room for sample_count entries each, lie apart from each other and from the samples, and must live as
-/// long as *out is used. Allocates nothing.
+/// long as *out is used. The box is aligned with the road; for one that is not set extents and extent_count of *out.
+/// Allocates nothing.
 ///
 /// # Safety
 /// Pointers are null or point to what they say.
@@ -110,6 +111,8 @@ pub unsafe extern "C" fn zhuyi_trajectory_from_samples(
                 across,
                 across_count: sample_count,
                 known_until,
+                extents: ptr::null(),
+                extent_count: 0,
             })
         })
     }
@@ -138,7 +141,7 @@ pub unsafe extern "C" fn zhuyi_estimate_trajectory(
             let future = zhuyi_estimator::Future {
                 along: pieces.along,
                 across: pieces.across,
-                extents: &[],
+                extents: pieces.extents,
                 known_until: pieces.known_until,
                 now: number(now)?,
             };

@@ -45,7 +45,7 @@ impl Forecast {
             let trajectory = zhuyi_core::Trajectory {
                 along: pieces.along.to_vec(),
                 across: pieces.across.to_vec(),
-                extents: Vec::new(),
+                extents: pieces.extents.to_vec(),
                 known_until: pieces.known_until,
             };
             Ok((positive(future.weight)?, trajectory))

@@ -7,7 +7,8 @@
 //!                        │                      │
 //!                        ▼                      ▼
 //!  zhuyi_along,     zhuyi_trajectory ──▶ zhuyi_estimate_trajectory ──▶ zhuyi_estimate
-//!  zhuyi_across ──▶      │ with weights         │
+//!  zhuyi_across,         │ with weights         │
+//!  zhuyi_extent ──▶      │                      │
 //!                        ▼                      ▼
 //!                   zhuyi_forecast ────▶ zhuyi_estimate_forecast ────▶ zhuyi_forecast_estimate
 //!                        │ with poses           │
@@ -117,4 +118,4 @@ pub use forecast::{Forecast, WeightedTrajectory};
 pub use params::{Aggregation, Criterion, Grid, Params, Solver};
 pub use rig::{Actor, Camera, Demand};
 pub use status::Status;
-pub use trajectory::{Across, Along, Sample, Trajectory};
+pub use trajectory::{Across, Along, Extent, Sample, Trajectory};

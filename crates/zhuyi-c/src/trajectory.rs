@@ -12,7 +12,7 @@
 
 use crate::Status;
 use crate::border::list;
-use crate::limits::number;
+use crate::limits::{number, positive};
 use std::mem::offset_of;
 
 /// Motion along the road from `time` until the next piece starts; with x = t - time: s + s_rate x + s_half_accel x^2,
@@ -46,6 +46,23 @@ pub struct Across {
     pub d_rate: f64,
 }
 
+/// Half extents along and across the road of a box as it stands, from `time` until the next piece starts. Of a box turned
+/// by an angle against the road they are (length |cos| + width |sin|) / 2 and (length |sin| + width |cos|) / 2.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extent {
+    /// [s] start of the piece.
+    pub time: f64,
+    /// [m] half extent along the road at its start; above 0.
+    pub along: f64,
+    /// [m/s] its rate of change.
+    pub along_rate: f64,
+    /// [m] half extent across the road at its start; above 0.
+    pub across: f64,
+    /// [m/s] its rate of change.
+    pub across_rate: f64,
+}
+
 /// One instant of an actor's future.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,8 +77,8 @@ pub struct Sample {
     pub v: f64,
 }
 
-/// One future of one actor, in pieces. Each list is sorted by time and not empty; its first piece also holds before
-/// its start, its last one goes on for ever. The lists stay the caller's.
+/// One future of one actor, in pieces. Each list is sorted by time; its first piece also holds before its start, its last
+/// one goes on for ever. The lists stay the caller's.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trajectory {
@@ -75,12 +92,17 @@ pub struct Trajectory {
     pub across_count: usize,
     /// [s] time from which on the future is extrapolated rather than predicted.
     pub known_until: f64,
+    /// Half extents of the box as it stands; null where it keeps aligned with the road.
+    pub extents: *const Extent,
+    /// Pieces of the half extents; 0 where it keeps aligned with the road.
+    pub extent_count: usize,
 }
 
 /// A trajectory's checked lists, where they lie.
 pub(crate) struct Pieces<'a> {
     pub along: &'a [zhuyi_core::Along],
     pub across: &'a [zhuyi_core::Across],
+    pub extents: &'a [zhuyi_core::Extent],
     pub known_until: f64,
 }
 
@@ -92,23 +114,31 @@ impl Trajectory {
         let along = unsafe { list(self.along.cast::<zhuyi_core::Along>(), self.along_count)? };
         // SAFETY: the same with `Across`.
         let across = unsafe { list(self.across.cast::<zhuyi_core::Across>(), self.across_count)? };
+        // SAFETY: the same with `Extent`.
+        let extents =
+            unsafe { list(self.extents.cast::<zhuyi_core::Extent>(), self.extent_count)? };
         for piece in along {
             check_along(piece)?;
         }
         for piece in across {
             check_across(piece)?;
         }
+        for piece in extents {
+            check_extent(piece)?;
+        }
         if along.is_empty() || across.is_empty() {
             return Err(Status::Empty);
         }
         if !along.is_sorted_by_key(|piece| piece.time)
             || !across.is_sorted_by_key(|piece| piece.time)
+            || !extents.is_sorted_by_key(|piece| piece.time)
         {
             return Err(Status::NotSorted);
         }
         Ok(Pieces {
             along,
             across,
+            extents,
             known_until: number(self.known_until)?,
         })
     }
@@ -127,6 +157,14 @@ fn check_across(piece: &zhuyi_core::Across) -> Result<(), Status> {
     number(piece.time)?;
     number(piece.d)?;
     number(piece.d_rate).map(|_| ())
+}
+
+fn check_extent(piece: &zhuyi_core::Extent) -> Result<(), Status> {
+    number(piece.time)?;
+    positive(piece.along)?;
+    number(piece.along_rate)?;
+    positive(piece.across)?;
+    number(piece.across_rate).map(|_| ())
 }
 
 /// Whether `samples` make a future, before anything of it is written.
@@ -201,6 +239,15 @@ assert_same_layout!(
     v_rate
 );
 assert_same_layout!(Across, zhuyi_core::Across, time, d, d_rate);
+assert_same_layout!(
+    Extent,
+    zhuyi_core::Extent,
+    time,
+    along,
+    along_rate,
+    across,
+    across_rate
+);
 
 #[cfg(test)]
 mod tests {

@@ -5,7 +5,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::collections::BTreeMap;
 use zhuyi_c::{
-    Across, Aggregation, Along, Camera, Demand, Ego, Estimate, Pose, Sample, State, Status,
+    Across, Aggregation, Along, Camera, Demand, Ego, Estimate, Extent, Pose, Sample, State, Status,
     zhuyi_params_default,
 };
 
@@ -62,10 +62,20 @@ fn futures(random: &mut ChaCha8Rng) -> Vec<Future> {
                 v += step * accel;
                 time += step;
             }
+            let turns = random.random_range(0..3);
+            let extents = (0..turns).map(|piece| Extent {
+                time: f64::from(piece),
+                along: random.random_range(0.9..6.0),
+                along_rate: 0.0,
+                across: random.random_range(0.9..6.0),
+                across_rate: random.random_range(0.0..0.5),
+            });
+            let extents = extents.collect();
             Future {
                 weight: random.random_range(0.01..1.0),
                 along,
                 across,
+                extents,
                 known_until: time,
             }
         })
@@ -157,6 +167,10 @@ fn numbers(scene: &mut Scene) -> Vec<&mut f64> {
         for piece in &mut future.across {
             all.extend([&mut piece.time, &mut piece.d, &mut piece.d_rate]);
         }
+        for piece in &mut future.extents {
+            all.extend([&mut piece.time, &mut piece.along, &mut piece.along_rate]);
+            all.extend([&mut piece.across, &mut piece.across_rate]);
+        }
     }
     for sample in &mut scene.samples {
         all.extend([&mut sample.time, &mut sample.s]);
@@ -181,7 +195,10 @@ fn break_somewhere(scene: &mut Scene, random: &mut ChaCha8Rng) {
         3 => scene.samples.clear(),
         4 => scene.cameras.clear(),
         5 => scene.samples.reverse(),
-        6 => scene.futures[0].along.reverse(),
+        6 => {
+            scene.futures[0].along.reverse();
+            scene.futures[0].extents.reverse();
+        }
         7 => scene.params.grid = random.random(),
         8 => scene.params.max_steps = random.random(),
         _ => {

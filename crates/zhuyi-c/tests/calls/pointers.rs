@@ -6,10 +6,10 @@ use std::mem::MaybeUninit;
 use std::ptr;
 use std::thread;
 use zhuyi_c::{
-    Across, Actor, Along, Camera, Demand, Ego, Estimate, Estimator, Forecast, ForecastEstimate,
-    Pose, Sample, Status, Trajectory, WeightedTrajectory, zhuyi_demands, zhuyi_estimate_forecast,
-    zhuyi_estimate_trajectory, zhuyi_estimator_free, zhuyi_estimator_new, zhuyi_params_default,
-    zhuyi_status_message, zhuyi_trajectory_from_samples, zhuyi_version,
+    Across, Actor, Along, Camera, Demand, Ego, Estimate, Estimator, Extent, Footprint, Forecast,
+    ForecastEstimate, Pose, Sample, State, Status, Trajectory, WeightedTrajectory, zhuyi_demands,
+    zhuyi_estimate_forecast, zhuyi_estimate_trajectory, zhuyi_estimator_free, zhuyi_estimator_new,
+    zhuyi_params_default, zhuyi_status_message, zhuyi_trajectory_from_samples, zhuyi_version,
 };
 
 static EGO: Ego = Ego {
@@ -69,6 +69,8 @@ fn hand_each_pointer_may_be_null() {
             across: unless(turn, 2, &raw const IN_LANE),
             across_count: 1,
             known_until: 20.0,
+            extents: ptr::null(),
+            extent_count: 0,
         };
         let future = WeightedTrajectory {
             weight: 1.0,
@@ -217,6 +219,83 @@ fn hand_every_status_has_its_message_and_the_version_is_the_crates() {
     assert_eq!(text(zhuyi_version()), env!("CARGO_PKG_VERSION"));
 }
 
+/// A bus of 12 m x 2.5 m stands across the road, its middle 5 m to the left and its flank 46.5 m ahead: as a car that stands
+/// there. Aligned, it is in nobody's way. An extent that is no size, or not there where it is said to be, is refused.
+#[test]
+fn hand_a_box_across_the_road_has_its_extents() {
+    let (estimator, bus) = (
+        estimator(),
+        Footprint {
+            length: 12.0,
+            width: 2.5,
+        },
+    );
+    let aside = Across { d: 5.0, ..IN_LANE };
+    let ask = |actor: Footprint, s: f64, across: &Across, extents: *const Extent, count: usize| {
+        let along = Along {
+            s,
+            s_rate: 0.0,
+            s_half_accel: 0.0,
+            v: 0.0,
+            v_rate: 0.0,
+            ..AHEAD
+        };
+        let trajectory = Trajectory {
+            along: &raw const along,
+            across,
+            extents,
+            extent_count: count,
+            ..trajectory()
+        };
+        let mut out = MaybeUninit::<Estimate>::uninit();
+        // SAFETY: the estimator is alive, all else points to constants and locals.
+        unsafe {
+            let status = zhuyi_estimate_trajectory(
+                estimator,
+                &raw const EGO,
+                &raw const actor,
+                &raw const trajectory,
+                0.0,
+                0.1,
+                out.as_mut_ptr(),
+            );
+            (status == Status::Ok)
+                .then(|| out.assume_init())
+                .map(|found| (found.state, found.latency))
+                .ok_or(status)
+        }
+    };
+    let front = EGO.s + EGO.footprint.length / 2.0;
+    let across = Extent {
+        time: 0.0,
+        along: 1.25,
+        along_rate: 0.0,
+        across: 6.0,
+        across_rate: 0.0,
+    };
+    let found = ask(bus, front + 46.5 + 1.25, &aside, &raw const across, 1).unwrap();
+    let car = ask(
+        CAR,
+        front + 46.5 + CAR.length / 2.0,
+        &IN_LANE,
+        ptr::null(),
+        0,
+    );
+    assert_eq!(found, car.unwrap());
+    assert_ne!(found.0, State::None);
+    let aligned = ask(bus, front + 46.5 + 1.25, &aside, ptr::null(), 0).unwrap();
+    assert_eq!(aligned.0, State::None);
+    let flat = Extent {
+        along: 0.0,
+        ..across
+    };
+    let refused = |extent: *const Extent| ask(bus, 80.0, &aside, extent, 1).unwrap_err();
+    assert_eq!(refused(&raw const flat), Status::OutOfRange);
+    assert_eq!(refused(ptr::null()), Status::NullPointer);
+    // SAFETY: made above.
+    unsafe { zhuyi_estimator_free(estimator) };
+}
+
 #[test]
 fn law_many_threads_may_ask_one_estimator() {
     struct Shared(*const Estimator);
@@ -263,5 +342,7 @@ fn trajectory() -> Trajectory {
         across: &raw const IN_LANE,
         across_count: 1,
         known_until: 20.0,
+        extents: ptr::null(),
+        extent_count: 0,
     }
 }

@@ -6,8 +6,8 @@
 use std::mem::MaybeUninit;
 use std::ptr;
 use zhuyi_c::{
-    Across, Actor, Along, Camera, Demand, Ego, Estimate, Footprint, Forecast, ForecastEstimate,
-    Params, Pose, Sample, Status, Trajectory, WeightedTrajectory, zhuyi_demands,
+    Across, Actor, Along, Camera, Demand, Ego, Estimate, Extent, Footprint, Forecast,
+    ForecastEstimate, Params, Pose, Sample, Status, Trajectory, WeightedTrajectory, zhuyi_demands,
     zhuyi_estimate_forecast, zhuyi_estimate_trajectory, zhuyi_estimator_free, zhuyi_estimator_new,
     zhuyi_trajectory_from_samples,
 };
@@ -30,6 +30,13 @@ const NO_ACROSS: Across = Across {
     d: f64::NAN,
     d_rate: f64::NAN,
 };
+const NO_EXTENT: Extent = Extent {
+    time: f64::NAN,
+    along: f64::NAN,
+    along_rate: f64::NAN,
+    across: f64::NAN,
+    across_rate: f64::NAN,
+};
 const NO_SAMPLE: Sample = Sample {
     time: f64::NAN,
     s: f64::NAN,
@@ -51,6 +58,7 @@ pub struct Future {
     pub weight: f64,
     pub along: Vec<Along>,
     pub across: Vec<Across>,
+    pub extents: Vec<Extent>,
     pub known_until: f64,
 }
 
@@ -134,6 +142,7 @@ impl Scene {
                 (
                     behind(&future.along, NO_ALONG),
                     behind(&future.across, NO_ACROSS),
+                    behind(&future.extents, NO_EXTENT),
                 )
             })
             .collect();
@@ -141,7 +150,7 @@ impl Scene {
             .futures
             .iter()
             .zip(&lists)
-            .map(|(future, (along, across))| WeightedTrajectory {
+            .map(|(future, (along, across, extents))| WeightedTrajectory {
                 weight: future.weight,
                 trajectory: Trajectory {
                     along: along.as_ptr(),
@@ -149,6 +158,8 @@ impl Scene {
                     across: across.as_ptr(),
                     across_count: future.across.len(),
                     known_until: future.known_until,
+                    extents: extents.as_ptr(),
+                    extent_count: future.extents.len(),
                 },
             })
             .collect();
