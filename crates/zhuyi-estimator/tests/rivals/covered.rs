@@ -4,7 +4,7 @@ use crate::scene::{CAR, Scene};
 use std::f64::consts::FRAC_PI_2;
 use zhuyi_core::Footprint;
 use zhuyi_estimator::rivals::{Rivals, Rss, TtcThreshold};
-use zhuyi_estimator::{Estimator, Params, Reaction};
+use zhuyi_estimator::{Estimator, Params, Reaction, SafetyModel};
 
 const BUS: Footprint = Footprint {
     length: 12.0,
@@ -15,7 +15,7 @@ fn not_defined(scene: &Scene) -> Vec<&'static str> {
     let rivals = Rivals::default();
     let models = rivals.all().into_iter();
     let names = models.filter(|model| scene.ask(*model) == Reaction::NotDefined);
-    names.map(|model| model.name()).collect()
+    names.map(SafetyModel::name).collect()
 }
 
 /// A car comes towards the ego at 10 m/s, and one crosses 40 m ahead: only some sources speak of them. That holds from where

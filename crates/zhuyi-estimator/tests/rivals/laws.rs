@@ -42,7 +42,7 @@ prop_compose! {
 /// Whether the actor goes across rather than along the path.
 fn crosses(scene: &Scene) -> bool {
     let (v, d_rate) = (scene.along[0].v, scene.across[0].d_rate);
-    d_rate.abs() > v && v.hypot(d_rate) >= 0.1
+    d_rate.abs() > v && v * v + d_rate * d_rate >= 0.01
 }
 
 /// In the order of the time that it leaves.

@@ -2,6 +2,7 @@
 //!
 //! | file | what it shows |
 //! |---|---|
+//! | `across` | boxes that stand or move across the path |
 //! | `bad_rows` | every rule for traces: line, column, reason |
 //! | `coverage` | which cameras an actor counts for |
 //! | `cuts` | rows before t_0 change no answer |
@@ -14,6 +15,7 @@
 #![allow(clippy::disallowed_methods)] // Of the standard library: no result depends on these.
 #![expect(clippy::unwrap_used, reason = "a test may")]
 
+mod across;
 mod bad_rows;
 mod coverage;
 mod cuts;
