@@ -145,7 +145,6 @@ fn law_laps_change_no_belief_and_no_estimate() {
 }
 
 #[test]
-#[expect(clippy::print_stdout, reason = "a skipped test says so")]
 fn regress_the_shared_rings() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data/faults");
     let texts =

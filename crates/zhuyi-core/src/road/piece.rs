@@ -214,7 +214,7 @@ impl Piece {
             Shape::Line => self.nearest(point),
             Shape::Arc { curvature } => {
                 let from = Foot::new(u, self.shape.pose(u), Point::new(x, y));
-                let turns = (curvature * from.ahead).atan2(1.0 - curvature * from.left);
+                let turns = libm::atan2(curvature * from.ahead, 1.0 - curvature * from.left);
                 let u = (u + turns / curvature).clamp(self.from, self.to);
                 Foot::new(u, self.shape.pose(u), Point::new(x, y))
             }

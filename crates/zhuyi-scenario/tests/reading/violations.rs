@@ -555,7 +555,7 @@ fn hand_roads_that_lie_over_themselves_and_rings_that_do_not_close() {
             (
                 "[Line(length_m: 1000)]",
                 "[Line(length_m: 1000)], closed: yes",
-                "3:83 `closed` must be `true` or `false`, got `yes`",
+                "3:83 expected `true` or `false`, got `yes`",
             ),
         ],
     );
