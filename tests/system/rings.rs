@@ -61,6 +61,31 @@ fn law_a_car_one_lap_ahead_is_braked_for_as_on_a_straight_road() {
 }
 
 #[test]
+fn law_a_car_one_lap_ahead_asks_for_what_it_asks_for_on_a_straight_road() {
+    // Half a lap after the start the car is told in the next lap: its recorded future stays where it was, and every row asks
+    // for what a look at that row alone asks for.
+    let largest = [true, false].map(|ring| {
+        let (scenario, system) = read(&text(ring)).unwrap();
+        let run = run(&scenario, &system, 10, 0);
+        let rates = FrameRates::new(vec![10.0; system.perception.eyes.len()]);
+        let hindsight = Hindsight::new(&run.trace, &scenario.road, &system, &rates);
+        let estimator = Estimator::new(system.estimator.clone());
+        let peaks = hindsight.peaks(&estimator);
+        let mut alone = hindsight.no_peaks();
+        for row in run.trace.rows() {
+            let demands = hindsight.demands(&estimator, &row);
+            hindsight.add(&mut alone, row.time, &demands);
+        }
+        assert_eq!(peaks.largest, alone.largest);
+        assert_eq!(peaks.cameras, alone.cameras);
+        peaks.largest
+    });
+    let [ring, straight] = largest;
+    assert!(straight > 1.5, "{largest:?}");
+    assert!((ring - straight).abs() < 0.1 * straight, "{largest:?}");
+}
+
+#[test]
 fn regress_a_ring_laid_over_itself_is_refused_by_its_name() {
     let road = |segments: &str, closed: &str| {
         let road = format!("segments: [{segments}]{closed}");
