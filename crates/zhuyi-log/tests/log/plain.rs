@@ -2,7 +2,7 @@
 //! points, every later position of the actor projected on all of it, and the samples given to the estimator. Slow, and
 //! without anything that is shared between two questions.
 
-use zhuyi_core::{ActorId, FrameRates, Point, Pose};
+use zhuyi_core::{ActorId, Extent, Footprint, FrameRates, Point, Pose, Trajectory};
 use zhuyi_estimator::samples::{Sample, trajectory};
 use zhuyi_estimator::{Ego, Estimate, Estimator, Future, State};
 use zhuyi_log::{Log, Replay, Row, evaluate};
@@ -171,20 +171,33 @@ pub fn answers(
         if place == ego.index() || !present {
             continue;
         }
-        let samples: Vec<Sample> = later
-            .iter()
-            .map(|row| {
-                let (s, d, heading) = line.project(row.pose.point());
-                let v = row.speed * libm::cos(row.pose.heading - heading);
-                Sample {
-                    time: log.steps()[row.step].time,
-                    s,
-                    d,
-                    v,
-                }
-            })
-            .collect();
-        let future = trajectory(&samples).unwrap();
+        let (mut samples, mut extents): (Vec<Sample>, Vec<Extent>) = (Vec::new(), Vec::new());
+        for row in &later {
+            let (s, d, heading) = line.project(row.pose.point());
+            let time = log.steps()[row.step].time;
+            let (sin, cos) = libm::sincos(row.pose.heading - heading);
+            let v = row.speed * cos;
+            samples.push(Sample { time, s, d, v });
+            // The box as it stands, its half extents linear from row to row.
+            let Footprint { length, width } = row.footprint;
+            let along = (length * cos.abs() + width * sin.abs()) / 2.0;
+            let across = (length * sin.abs() + width * cos.abs()) / 2.0;
+            if let Some(last) = extents.last_mut() {
+                last.along_rate = (along - last.along) / (time - last.time);
+                last.across_rate = (across - last.across) / (time - last.time);
+            }
+            extents.push(Extent {
+                time,
+                along,
+                along_rate: 0.0,
+                across,
+                across_rate: 0.0,
+            });
+        }
+        let future = Trajectory {
+            extents,
+            ..trajectory(&samples).unwrap()
+        };
         let future = Future::new(&future, log.steps()[here.step].time);
         let estimate = estimator.trajectory(&asker, later[0].footprint, &future, latency);
         answers.push((ActorId(place as u32), estimate));
