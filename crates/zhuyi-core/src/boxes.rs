@@ -8,7 +8,7 @@
 //! Both are gaps of the boxes themselves, for what is measured in a run; the model's gap is that of their half extents
 //! ([`Footprint::turned`]), which is never larger. Of aligned boxes that overlap sideways all three are bumper to bumper.
 
-use crate::{Body, Footprint, Point, Pose};
+use crate::{Axes, Body, Footprint, Point, Pose};
 
 /// [m] least distance of two boxes in the plane; 0 where they overlap.
 ///
@@ -29,8 +29,9 @@ pub fn distance(one: (Footprint, Pose), other: (Footprint, Pose)) -> f64 {
     }
     // Of convex bodies apart a corner of one is nearest to the other.
     let from_corners = |a: (Footprint, Pose), b: (Footprint, Pose)| {
-        let corners = a.0.corners(a.1).into_iter();
-        corners.map(move |corner| distance_to_point(b, corner))
+        let (corners, axes) = (a.0.corners(a.1), Axes::new(b.1));
+        let to_point = move |corner: Point| distance_to_point(b.0, axes.local(corner));
+        corners.into_iter().map(to_point)
     };
     from_corners(one, other)
         .chain(from_corners(other, one))
@@ -44,9 +45,8 @@ fn overlap(one: (Footprint, Pose), other: (Footprint, Pose)) -> bool {
     ahead.abs() < one.0.half_lengths(turned) && left.abs() < one.0.half_widths(turned)
 }
 
-/// [m] distance of a point from a box.
-fn distance_to_point((footprint, pose): (Footprint, Pose), point: Point) -> f64 {
-    let (ahead, left) = pose.local(point);
+/// [m] distance from a box of a point that is so far ahead and to the left of its centre.
+fn distance_to_point(footprint: Footprint, (ahead, left): (f64, f64)) -> f64 {
     let beyond = |distance: f64, extent: f64| (distance.abs() - extent / 2.0).max(0.0);
     let (x, y) = (
         beyond(ahead, footprint.length),

@@ -41,7 +41,11 @@ impl<'a> LaneFrame<'a> {
     /// assert!(LaneFrame::at(&road, 0.5).is_reference_line());
     /// # Ok::<(), zhuyi_core::RoadError>(())
     /// ```
+    #[inline]
     pub fn at(road: &'a Road, d: f64) -> Self {
+        if road.is_straight() {
+            return Self { road, d: 0.0 };
+        }
         Self::of(road, Self::lane(road, d))
     }
 

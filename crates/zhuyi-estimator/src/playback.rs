@@ -219,9 +219,11 @@ impl Playback<'_> {
         let (Some(last), [along, across]) = (self.runs.last(), now.first) else {
             return false;
         };
-        let (_, swing) = stand(self.actor, &self.recording.trajectory().extents, now.time);
-        let reach = lines.reach + swing.map_or(0.0, |swing| swing.at(0.0).along);
-        let is_behind = |piece: &Along| piece.s_at(now.time) - ego.s < -reach;
+        let is_behind = |piece: &Along| {
+            let (_, swing) = stand(self.actor, &self.recording.trajectory().extents, now.time);
+            let reach = lines.reach + swing.map_or(0.0, |swing| swing.at(0.0).along);
+            piece.s_at(now.time) - ego.s < -reach
+        };
         last.first <= across
             && match last.side {
                 Some(Side::Apart) => true,

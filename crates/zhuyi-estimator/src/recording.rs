@@ -58,6 +58,8 @@ pub(crate) struct Coarse {
     /// Whether blocks are of edges, since the box turns at some time, and not of its centre.
     pub turning: bool,
     pub along: [Vec<AlongBlock>; ALONG_BLOCKS.len()],
+    /// Of a box that turns, the pieces along the road in which its half extents change more than once; none for the others.
+    pub turning_pieces: Vec<Option<AlongBlock>>,
     across: [Vec<AcrossBlock>; ACROSS_BLOCKS.len()],
 }
 
@@ -75,6 +77,10 @@ impl Recording {
         let swing = Swing::of_all(&self.trajectory.extents);
         self.coarse.get_or_init(|| Coarse {
             turning: swing.is_some(),
+            turning_pieces: swing.map_or_else(Vec::new, |swing| {
+                let pieces = self.trajectory.along.windows(2);
+                pieces.map(|pair| turning_piece(pair, swing)).collect()
+            }),
             along: ALONG_BLOCKS.map(|size| {
                 let blocks = blocks(&self.trajectory.along, size);
                 let block = |(pieces, behind): (&[Along], &Along)| match swing {
@@ -200,9 +206,10 @@ impl<'a> View<'a> {
             &self.future.across[run.first],
             self.future.across.get(run.first + 1)?,
         );
-        let (swing, now) = (Swing::of(&self.future), self.future.now);
-        let [start, end] = [piece.time, next.time].map(|time| time - now);
-        if swing.is_some_and(|swing| swing.changes_within(start, end)) {
+        // On the clock of the lists, so that pieces of both that begin together do.
+        let swing = Swing::of(&self.future).map(Swing::on_its_clock);
+        let (start, end) = (piece.time, next.time);
+        if swing.is_some_and(|swing| swing.changes_between(start, end)) {
             return None;
         }
         let half = |time: f64| swing.map_or(0.0, |swing| swing.at(time).across);
@@ -282,6 +289,16 @@ fn rears(pieces: &[Along], end: f64, swing: Swing<'_>) -> Vec<Along> {
         }
     }
     cut
+}
+
+/// A piece with the one behind it as a block, where that is cut in more than two.
+fn turning_piece(pair: &[Along], swing: Swing<'_>) -> Option<AlongBlock> {
+    let end = pair[1].time;
+    if !swing.changes_between(pair[0].time, end) {
+        return None;
+    }
+    let cut = rears(&pair[..1], end, swing);
+    (cut.len() > 2).then(|| along_block(&cut, end))
 }
 
 fn along_block(pieces: &[Along], end: f64) -> AlongBlock {

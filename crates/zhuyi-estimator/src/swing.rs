@@ -129,8 +129,9 @@ impl<'a> Swing<'a> {
         last.is_at_rest().then_some(last.time)
     }
 
-    /// Whether a piece begins between two times.
-    pub fn changes_within(&self, from: f64, to: f64) -> bool {
-        self.end(self.index(from)) < to
+    /// Whether a piece begins between two times on the clock of the list.
+    pub fn changes_between(&self, from: f64, to: f64) -> bool {
+        let next = self.extents.partition_point(|piece| piece.time <= from);
+        self.extents.get(next).is_some_and(|piece| piece.time < to)
     }
 }

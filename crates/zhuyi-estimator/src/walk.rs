@@ -124,8 +124,8 @@ impl Encounter<'_> {
         let swing = self.corridor.swing;
         let mut extent = swing.map_or(0, |swing| swing.index(from));
         let mut leash = visitor.leash(time);
-        // Before this piece no block is to be tried again.
-        let mut tried = 0;
+        // Before this piece no block is to be tried again, and this one not as a whole.
+        let (mut tried, mut whole) = (0, None);
         loop {
             if index >= tried {
                 if let Some((end, behind)) = self.pass_over(index, time, to, visitor) {
@@ -138,6 +138,18 @@ impl Encounter<'_> {
                 }
                 tried = (index / FINEST + 1) * FINEST;
             }
+            if swing.is_some()
+                && whole != Some(index)
+                && let Some(end) = self.pass_over_piece(index, time, to, visitor)
+            {
+                if end >= to {
+                    return None;
+                }
+                (time, index) = (end, index + 1);
+                extent = swing.map_or(0, |swing| swing.index(end));
+                continue;
+            }
+            whole = Some(index);
             let next = future.along.get(index + 1);
             let piece_end = next.map_or(f64::INFINITY, |next| next.time - future.now);
             let (mut end, turning) = (
@@ -203,6 +215,26 @@ impl Encounter<'_> {
             furthest: self.margins.c1 * (high - origin) + 2.0 * TOLERANCE,
             fastest: self.margins.c2 * forward + 2.0 * TOLERANCE,
         }
+    }
+
+    /// The end of a piece of which nothing matters from `start` on, however the box turns on it.
+    fn pass_over_piece(
+        &self,
+        index: usize,
+        start: f64,
+        to: f64,
+        visitor: &impl Visitor,
+    ) -> Option<f64> {
+        let coarse = self.corridor.view.coarse?;
+        let block = coarse.turning_pieces.get(index)?.as_ref()?;
+        let end = block.end - self.datum.now;
+        let cell = Cell {
+            start,
+            end: end.min(to),
+            piece: block,
+        };
+        let begun = block.fit.time <= start + self.datum.now;
+        (begun && visitor.passes_over(&cell)).then_some(end)
     }
 
     /// The end of a block of which nothing matters from `start` on, and the piece behind it.

@@ -33,7 +33,7 @@ use rand_chacha::ChaCha8Rng;
 use zhuyi_core::{ActorId, Body, CameraId, Detection, Frame, FrameRates, Scene, SimTime};
 
 use crate::sight::View;
-use crate::stream::{Luck, NoiseStream, Purpose, normal_pair};
+use crate::stream::{Luck, NoiseStream, Purpose, normal};
 use crate::{Clock, Eye, Perception, Truth};
 
 /// Frames in flight of each camera for which there is room from the start.
@@ -339,7 +339,7 @@ impl Shutter {
             }
             let turned = heading.map_or(0.0, |stream| {
                 let [a, b] = stream.draw();
-                params.noise_heading * normal_pair(a, b).0
+                params.noise_heading * normal(a, b)
             });
             let [z1, z2, z3, z4] = luck.normals();
             let mut road = body.road;

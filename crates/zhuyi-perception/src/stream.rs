@@ -86,11 +86,11 @@ impl<const N: usize> NoiseStream<N> {
             self.stream.set_word_pos(position);
         } else {
             for _ in 0..self.passed {
-                self.stream.random::<[f64; N]>();
+                let _: [f64; N] = std::array::from_fn(|_| self.stream.random());
             }
         }
         self.passed = 0;
-        self.stream.random()
+        std::array::from_fn(|_| self.stream.random())
     }
 }
 
@@ -104,6 +104,11 @@ pub fn normal_pair(u1: f64, u2: f64) -> (f64, f64) {
     let radius = (-2.0 * libm::log(1.0 - u1)).sqrt();
     let (sin, cos) = libm::sincos(TAU * u2);
     (radius * cos, radius * sin)
+}
+
+/// The first of the two alone.
+pub fn normal(u1: f64, u2: f64) -> f64 {
+    (-2.0 * libm::log(1.0 - u1)).sqrt() * libm::cos(TAU * u2)
 }
 
 #[cfg(test)]

@@ -97,14 +97,28 @@ impl<'a> Hindsight<'a> {
         LaneFrame::lane(self.road, row.ego.road.d)
     }
 
-    /// The ego at a row, along a lane, as it meets an actor's recorded future: on a ring, where that future counts on over its
-    /// laps and a row does not, the ego in the lap in which both are nearest to each other.
-    fn ego(&self, row: &Row<'_>, lane: Lane, actor: ActorId) -> Ego {
+    /// The ego at a row, along a lane.
+    fn ego_along(&self, row: &Row<'_>, lane: Lane) -> Ego {
         let frame = LaneFrame::of(self.road, lane);
         Ego {
-            s: frame.place(row.ego.road.s) + self.laps(row, lane, actor),
+            s: frame.place(row.ego.road.s),
             ..Ego::from(row.ego)
         }
+    }
+
+    /// The same as it meets an actor's recorded future: on a ring, where that future counts on over its laps and a row does not,
+    /// in the lap in which both are nearest to each other.
+    fn ego_before(&self, ego: Ego, row: &Row<'_>, lane: Lane, actor: ActorId) -> Ego {
+        if self.trace.lap().is_none() {
+            return ego;
+        }
+        let s = ego.s + self.laps(row, lane, actor);
+        Ego { s, ..ego }
+    }
+
+    /// The ego at a row, along a lane, as it meets an actor's recorded future.
+    fn ego(&self, row: &Row<'_>, lane: Lane, actor: ActorId) -> Ego {
+        self.ego_before(self.ego_along(row, lane), row, lane, actor)
     }
 
     /// [m] laps along a lane from where a row tells an actor to where its recorded future has it; none on an open road.

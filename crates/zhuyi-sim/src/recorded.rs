@@ -23,25 +23,37 @@ pub fn futures(trace: &Trace, lane: LaneFrame<'_>) -> Vec<Trajectory> {
         .collect()
 }
 
+/// Where a body is along a lane, and how fast it moves there.
+#[derive(Clone, Copy)]
+struct Place {
+    s: f64,
+    s_rate: f64,
+    d: f64,
+}
+
 fn future(trace: &Trace, actor: usize, lane: LaneFrame<'_>) -> Trajectory {
-    let along_lane = |body: Body| {
+    let along_lane = |s: f64, body: &Body| {
+        let d = body.road.d;
         if lane.is_reference_line() {
-            body
-        } else {
-            lane.body(&body)
+            let s_rate = body.s_rate;
+            return Place { s, s_rate, d };
+        }
+        Place {
+            s: lane.place(s),
+            s_rate: body.s_rate * lane.rate(s),
+            d,
         }
     };
-    let mut rows = (trace.course(actor)).map(|(t, body)| (t.seconds(), *body));
+    let mut rows = (trace.course(actor)).map(|(t, body)| (t.seconds(), body));
     let (mut t, first) = rows
         .next()
         .unwrap_or_else(|| unreachable!("a trace has at least its first row"));
-    let (mut place, mut body) = (first.road.s, along_lane(first));
+    let (mut told, mut body) = (first.road.s, along_lane(first.road.s, first));
     let mut along: Vec<Along> = Vec::new();
     let mut across: Vec<Across> = Vec::new();
-    for (next_t, mut next) in rows {
-        next.road.s = trace.nearest_lap(next.road.s, place);
-        place = next.road.s;
-        let next = along_lane(next);
+    for (next_t, next) in rows {
+        told = trace.nearest_lap(next.road.s, told);
+        let next = along_lane(told, next);
         let step = next_t - t;
         if !along
             .last()
@@ -49,9 +61,9 @@ fn future(trace: &Trace, actor: usize, lane: LaneFrame<'_>) -> Trajectory {
         {
             along.push(Along {
                 time: t,
-                s: body.road.s,
+                s: body.s,
                 s_rate: body.s_rate,
-                s_half_accel: ((next.road.s - body.road.s) / step - body.s_rate) / step,
+                s_half_accel: ((next.s - body.s) / step - body.s_rate) / step,
                 v: body.s_rate,
                 v_rate: (next.s_rate - body.s_rate) / step,
             });
@@ -62,19 +74,19 @@ fn future(trace: &Trace, actor: usize, lane: LaneFrame<'_>) -> Trajectory {
         {
             across.push(Across {
                 time: t,
-                d: body.road.d,
-                d_rate: (next.road.d - body.road.d) / step,
+                d: body.d,
+                d_rate: (next.d - body.d) / step,
             });
         }
         (t, body) = (next_t, next);
     }
     let (end, last) = (t, body);
-    along.push(Along::constant_accel(end, last.road.s, last.s_rate, 0.0));
-    let keeps = |piece: &Across| piece.d == last.road.d && piece.d_rate == 0.0;
+    along.push(Along::constant_accel(end, last.s, last.s_rate, 0.0));
+    let keeps = |piece: &Across| piece.d == last.d && piece.d_rate == 0.0;
     if !across.last().is_some_and(keeps) {
         across.push(Across {
             time: end,
-            d: last.road.d,
+            d: last.d,
             d_rate: 0.0,
         });
     }
@@ -87,11 +99,11 @@ fn future(trace: &Trace, actor: usize, lane: LaneFrame<'_>) -> Trajectory {
     }
 }
 
-fn meets_along(piece: &Along, time: f64, body: &Body) -> bool {
-    (piece.s_at(time) - body.road.s).abs() < TOLERANCE
+fn meets_along(piece: &Along, time: f64, body: &Place) -> bool {
+    (piece.s_at(time) - body.s).abs() < TOLERANCE
         && (piece.v_at(time) - body.s_rate).abs() < TOLERANCE
 }
 
-fn meets_across(piece: &Across, time: f64, body: &Body) -> bool {
-    (piece.d + piece.d_rate * (time - piece.time) - body.road.d).abs() < TOLERANCE
+fn meets_across(piece: &Across, time: f64, body: &Place) -> bool {
+    (piece.d + piece.d_rate * (time - piece.time) - body.d).abs() < TOLERANCE
 }

@@ -2,8 +2,8 @@
 //!
 //! Refused is what no run can do: a lane change during which the actor never reaches 5 m/s, as far as its script alone tells. Its
 //! speed is known exactly while it cruises and its manoeuvres come at given times; behind a trigger of another kind it is bounded
-//! by what it had and what it was told to reach. Left out: an actor that follows or holds a position beside the ego, and the
-//! jitter of a start; the run tells when its lane changes began and ended.
+//! by what it had and what it was told to reach. Left out: an actor that follows or holds a position beside the ego, one that is
+//! told to stop on the way across, and the jitter of a start; the run tells when its lane changes began and ended.
 
 use crate::conflict::Conflict;
 use crate::node::Node;
@@ -127,7 +127,9 @@ pub(super) fn check_pace(
         let Some(highest) = highest(known, time, duration, &manoeuvres[place + 1..]) else {
             continue;
         };
-        if highest < BY_THE_WAY {
+        // Who is told to stop on the way across is not promised to arrive.
+        let stops = highest > 0.0 && stops_within(time, duration, &manoeuvres[place + 1..]);
+        if highest < BY_THE_WAY && !stops {
             let then = node.field("then").unwrap_or_else(|| node.clone());
             let node = then.field("duration_s").unwrap_or(then);
             node.refuse(if highest > 0.0 {
@@ -142,6 +144,18 @@ pub(super) fn check_pace(
             });
         }
     }
+}
+
+/// Whether an actor is told to brake to a standstill in a lane change that begins at `start` [s].
+fn stops_within(start: Option<f64>, duration: f64, later: &[Manoeuvre]) -> bool {
+    let mut from = start;
+    later.iter().any(|manoeuvre| {
+        from = next_time(manoeuvre, from);
+        let within = from
+            .zip(start)
+            .is_some_and(|(at, start)| at < start + duration);
+        within && matches!(manoeuvre.then, Action::Brake { .. })
+    })
 }
 
 /// [m/s] the highest speed during a lane change that begins at `start` [s], where that is known, with all that may begin in it.

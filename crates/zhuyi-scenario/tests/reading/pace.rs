@@ -86,6 +86,18 @@ fn hand_what_a_script_does_not_tell_is_not_refused() {
     // A car that brakes to a stop half-way across is a scene of its own.
     let halts = format!("{CHANGE} (when: Time(at_s: 1), then: Brake(decel_mps2: 8))");
     assert_eq!(told("speed_mps: 8", &halts), None);
+    // So is a slow one that is told to stop on the way, but not one that stands from the start.
+    let stops = format!(
+        "{} (when: Time(at_s: 1.5), then: Brake(decel_mps2: 8))",
+        change(0.5)
+    );
+    assert_eq!(told("speed_mps: 4", &stops), None);
+    assert!(told("speed_mps: 0", &stops).is_some());
+    let later = format!(
+        "{} (when: Time(at_s: 4), then: Brake(decel_mps2: 8))",
+        change(0.5)
+    );
+    assert!(told("speed_mps: 4", &later).is_some());
     // From 0 m/s at 9 s to 5 m/s takes until 14 s: at 10 s it is too early by half a second of a lane change of 3.5 s.
     let early = |duration: f64| {
         let change =

@@ -67,11 +67,11 @@ impl<'a> Told<'a> {
         if lane != self.lane {
             self.change_lane(row, lane);
         }
-        let now = row.time.seconds();
+        let (ego, now) = (hindsight.ego_along(row, lane), row.time.seconds());
         let actors = self.answers.chunks_exact_mut(self.latencies.len().max(1));
         let mut changed = false;
         for (actor, answers) in (0..).map(ActorId).zip(actors) {
-            let ego = hindsight.ego(row, lane, actor);
+            let ego = hindsight.ego_before(ego, row, lane, actor);
             for (l_0, (playback, answer)) in self.latencies.iter().zip(answers) {
                 let mut rig = hindsight.rig.iter().enumerate();
                 let asks = |(place, watch): (usize, &Watch<'_>)| {

@@ -1,7 +1,8 @@
 //! Half extents of a recorded box as it stands: as few lines as meet all rows to within [`TOLERANCE`].
 //!
-//! A line begins at a row with the extents there. Every further row leaves it a range of slopes that pass within the
-//! tolerance; the line ends before the row that leaves none. Source: the swinging door of Bristol, *Swinging door
+//! While a box stands alike from row to row its extents are those of the rows. While it turns, a line begins at a row; every
+//! further row leaves it a range of slopes that pass within the tolerance, and it ends before the row that leaves none. The
+//! next line begins where it ends, so that the box does not jump. Source: the swinging door of Bristol, *Swinging door
 //! trending*, ISA National Conference 1990.
 
 use zhuyi_core::{Body, Extent};
@@ -10,15 +11,37 @@ use zhuyi_core::{Body, Extent};
 const TOLERANCE: f64 = 1e-3;
 
 /// Half extents along and across the road, and when.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Row {
     time: f64,
     along: f64,
     across: f64,
 }
 
+impl Row {
+    fn stands_as(&self, other: &Self) -> bool {
+        self.along == other.along && self.across == other.across
+    }
+
+    /// The box stands so from then on.
+    fn at_rest(&self) -> Extent {
+        self.towards([0.0; 2])
+    }
+
+    /// The line from here with these slopes along and across.
+    fn towards(&self, [along_rate, across_rate]: [f64; 2]) -> Extent {
+        Extent {
+            time: self.time,
+            along: self.along,
+            along_rate,
+            across: self.across,
+            across_rate,
+        }
+    }
+}
+
 /// A range of slopes [m/s].
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Slopes {
     least: f64,
     most: f64,
@@ -37,12 +60,68 @@ impl Slopes {
         (least <= most).then_some(Self { least, most })
     }
 
-    /// One of them: level where that is one of them.
     fn middle(self) -> f64 {
-        if self.least <= 0.0 && self.most >= 0.0 {
-            0.0
+        f64::midpoint(self.least, self.most)
+    }
+
+    fn holds(self, slope: f64) -> bool {
+        self.least <= slope && slope <= self.most
+    }
+}
+
+/// A line under way: where it begins, and the slopes that are left to it, along and across.
+#[derive(Clone, Copy, Debug)]
+struct Line {
+    start: Row,
+    slopes: [Slopes; 2],
+}
+
+impl Line {
+    fn from(start: Row) -> Self {
+        Self {
+            start,
+            slopes: [Slopes::ALL; 2],
+        }
+    }
+
+    /// The same with a further row; none where it cannot meet that.
+    fn with(self, row: Row) -> Option<Self> {
+        let (start, [along, across]) = (self.start, self.slopes);
+        let run = row.time - start.time;
+        let slopes = [
+            along.within(row.along - start.along, run)?,
+            across.within(row.across - start.across, run)?,
+        ];
+        Some(Self { start, slopes })
+    }
+
+    /// It as it is up to `time`, and where it is then.
+    fn until(self, time: f64) -> (Extent, Row) {
+        let line = self.start.towards(self.slopes.map(Slopes::middle));
+        let (along, across) = line.at(time);
+        let end = Row {
+            time,
+            along,
+            across,
+        };
+        (line, end)
+    }
+
+    /// The lines by which it comes to a row exactly, which is behind the row at `before` [s].
+    fn to(self, row: Row, before: f64, lines: &mut Vec<Extent>) {
+        let slopes_from = |start: Row| {
+            let run = row.time - start.time;
+            [
+                (row.along - start.along) / run,
+                (row.across - start.across) / run,
+            ]
+        };
+        let exact = slopes_from(self.start);
+        if self.start.time >= before || (0..2).all(|axis| self.slopes[axis].holds(exact[axis])) {
+            lines.push(self.start.towards(exact));
         } else {
-            f64::midpoint(self.least, self.most)
+            let (line, end) = self.until(before);
+            lines.extend([line, end.towards(slopes_from(end))]);
         }
     }
 }
@@ -61,42 +140,40 @@ pub(super) fn extents<'a>(bodies: impl Iterator<Item = (f64, &'a Body)> + Clone)
         across: body.extent.width / 2.0,
     });
     let mut lines: Vec<Extent> = Vec::new();
-    let Some(mut start) = rows.next() else {
+    let Some(mut last) = rows.next() else {
         return lines;
     };
-    let (mut before, mut along, mut across) = (start, Slopes::ALL, Slopes::ALL);
-    let line = |start: Row, along: Slopes, across: Slopes| Extent {
-        time: start.time,
-        along: start.along,
-        along_rate: along.middle(),
-        across: start.across,
-        across_rate: across.middle(),
-    };
+    let (mut before, mut turning) = (last.time, None::<Line>);
+    lines.push(last.at_rest());
     for row in rows {
-        let pass = |along: Slopes, across: Slopes, start: Row| {
-            let run = row.time - start.time;
-            Some((
-                along.within(row.along - start.along, run)?,
-                across.within(row.across - start.across, run)?,
-            ))
-        };
-        (along, across) = pass(along, across, start).unwrap_or_else(|| {
-            lines.push(line(start, along, across));
-            start = before;
-            pass(Slopes::ALL, Slopes::ALL, start).unwrap_or((Slopes::ALL, Slopes::ALL))
-        });
-        before = row;
+        match turning {
+            None if row.stands_as(&last) => {}
+            None => {
+                // The piece at rest ends where the first line begins.
+                if lines.last().is_some_and(|line| line.time == last.time) {
+                    lines.pop();
+                }
+                turning = Line::from(last).with(row);
+            }
+            Some(line) if row.stands_as(&last) => {
+                line.to(last, before, &mut lines);
+                lines.push(last.at_rest());
+                turning = None;
+            }
+            Some(line) => {
+                turning = line.with(row).or_else(|| {
+                    let (over, end) = line.until(last.time);
+                    lines.push(over);
+                    Line::from(end).with(row)
+                });
+            }
+        }
+        (before, last) = (last.time, row);
     }
-    lines.push(line(start, along, across));
     // Behind the last row the box stands as it does there.
-    if !lines.last().is_some_and(Extent::is_at_rest) {
-        lines.push(Extent {
-            time: before.time,
-            along: before.along,
-            along_rate: 0.0,
-            across: before.across,
-            across_rate: 0.0,
-        });
+    if let Some(line) = turning {
+        line.to(last, before, &mut lines);
+        lines.push(last.at_rest());
     }
     lines
 }
@@ -157,5 +234,12 @@ mod tests {
         }
         let last = lines.last().unwrap();
         assert!(last.is_at_rest() && last.along == 6.0, "{last:?}");
+        // It stands exactly as it is before and behind, and nowhere jumps.
+        assert_eq!(lines[0], Extent::held(LORRY));
+        for pair in lines.windows(2) {
+            let (along, across) = pair[0].at(pair[1].time);
+            let jump = (along - pair[1].along).abs() + (across - pair[1].across).abs();
+            assert!(jump < 1e-12, "{pair:?}");
+        }
     }
 }
