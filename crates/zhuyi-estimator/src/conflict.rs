@@ -272,8 +272,12 @@ impl Walk {
             let d = piece.d + (time + now - piece.time) * piece.d_rate;
             lines.edges(d, swing.on(self.extent, time).across)
         };
-        let (here, there) = (edges(self.time), edges(end));
-        // Each edge goes straight: the relation changes where one of them crosses a line.
+        // Each edge goes straight from where both pieces have begun: the relation changes where one of them crosses a line. The
+        // crossings do not hang on how far the walk has come, so it passes each once.
+        let begun = |index: usize, time: f64| if index == 0 { 0.0 } else { time.max(0.0) };
+        let start =
+            begun(self.index, piece.time - now).max(begun(self.extent, swing.start(self.extent)));
+        let (here, there) = (edges(start), edges(end));
         let mut crossing = end;
         for (from, to, sign) in [
             (here.right, there.right, 1.0),
@@ -282,7 +286,7 @@ impl Walk {
             for line in [lines.body, lines.lane] {
                 let line = sign * line;
                 if (from < line) != (to < line) {
-                    let time = self.time + (end - self.time) * ((line - from) / (to - from));
+                    let time = start + (end - start) * ((line - from) / (to - from));
                     if time > self.time && time < crossing {
                         crossing = time;
                     }

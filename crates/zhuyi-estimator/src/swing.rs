@@ -74,6 +74,11 @@ impl<'a> Swing<'a> {
             .saturating_sub(1)
     }
 
+    /// [s] time at which a piece starts.
+    pub fn start(&self, index: usize) -> f64 {
+        self.extents[index].time - self.now
+    }
+
     /// [s] time at which a piece ends.
     pub fn end(&self, index: usize) -> f64 {
         let next = self.extents.get(index + 1);

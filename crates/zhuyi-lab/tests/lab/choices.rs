@@ -42,7 +42,7 @@ fn grid(mapping: &Mapping) -> Vec<Map> {
 #[test]
 fn law_the_border_is_that_of_the_full_grid_with_a_part_of_the_drives() {
     let values = [
-        "0.8", "0.84", "0.88", "0.92", "0.96", "1", "1.04", "1.08", "1.12",
+        "0.8", "0.85", "0.9", "0.95", "1", "1.05", "1.1", "1.15", "1.2",
     ];
     let mapping = mapping(DISTANCES, &values, (1..=12).collect());
     let plan = Boundary {

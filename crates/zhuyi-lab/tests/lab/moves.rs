@@ -22,8 +22,8 @@ fn law_every_variation_and_block_has_a_line() {
         "| nothing | | **<=30** | 0 of 1 |",
         "| distances | x 0.90 | **<=30** | 0 of 1 |",
         "| headway | +0.2 s | **<=30** | 0 of 1 |",
-        "| seeds | 1000 to 1000 | **<=30** | 0 of 1 |",
-        "| seeds | 1019 to 1019 | **<=30** | 0 of 1 |",
+        "| seeds | 2000 to 2000 | **<=30** | 0 of 1 |",
+        "| seeds | 2019 to 2019 | **<=30** | 0 of 1 |",
     ] {
         assert!(
             lines.iter().any(|found| found == line),

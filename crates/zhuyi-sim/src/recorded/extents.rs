@@ -139,7 +139,8 @@ pub(super) fn extents<'a>(bodies: impl Iterator<Item = (f64, &'a Body)> + Clone)
         along: body.extent.length / 2.0,
         across: body.extent.width / 2.0,
     });
-    let mut lines: Vec<Extent> = Vec::new();
+    // Room for some lane changes, so that what a run allocates does not hang on when they are.
+    let mut lines: Vec<Extent> = Vec::with_capacity(64);
     let Some(mut last) = rows.next() else {
         return lines;
     };
