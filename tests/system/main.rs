@@ -10,6 +10,7 @@
 //! | `physics` | nothing reverses, jumps or passes through anything in any of the nine |
 //! | `knowledge` | the planner acts on confirmed tracks alone |
 //! | `rings` | closed roads: a car that stands on one is braked for as on a straight road, laps change nothing |
+//! | `turned` | boxes that stand askew, and gaps along lanes in bends |
 //! | `scheduling` | every policy drives within its budget; the estimate in the loop |
 //!
 //! The command itself is tested in `crates/zhuyi-cli/tests`, where Cargo hands over the real binary.
@@ -25,6 +26,7 @@ mod processors;
 mod repeatable;
 mod rings;
 mod scheduling;
+mod turned;
 
 use zhuyi_core::FrameRates;
 use zhuyi_scenario::{Scenario, Setting, Source, System, embedded, load};
