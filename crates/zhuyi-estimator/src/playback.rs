@@ -86,7 +86,8 @@ impl Estimator {
                 first: [0; 2],
             },
             lines: None,
-            runs: Vec::new(),
+            // Room for a few lane changes, each with some pieces near the lines of the corridor.
+            runs: Vec::with_capacity(64),
         }
     }
 }

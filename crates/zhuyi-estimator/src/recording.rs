@@ -268,7 +268,7 @@ fn blocks<P>(pieces: &[P], size: usize) -> impl Iterator<Item = (&[P], &P)> {
 /// Pieces up to `end`, cut where the half extents change, as the rear of a box that turns makes them.
 fn rears(pieces: &[Along], end: f64, swing: Swing<'_>) -> Vec<Along> {
     let ends = pieces.iter().skip(1).map(|piece| piece.time).chain([end]);
-    let mut cut = Vec::new();
+    let mut cut = Vec::with_capacity(64);
     for (piece, end) in pieces.iter().zip(ends) {
         let (mut time, mut extent) = (piece.time, swing.index(piece.time));
         loop {

@@ -49,7 +49,7 @@ impl<'a> Hindsight<'a> {
             current_latency: system.current_latency.unwrap_or(1.0 / hz),
         };
         let rig = system.perception.eyes.iter().zip(rates.all());
-        Self {
+        let hindsight = Self {
             trace,
             road,
             lanes: vec![
@@ -64,7 +64,9 @@ impl<'a> Hindsight<'a> {
             phantoms: None,
             evades_on: None,
             least_share: None,
-        }
+        };
+        hindsight.futures(hindsight.lane(&trace.row(0)));
+        hindsight
     }
 
     /// Beside the actors count phantoms, at every edge along the ego's path of what no camera sees. The ego brakes for

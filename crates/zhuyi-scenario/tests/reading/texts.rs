@@ -32,8 +32,8 @@ pub const SYSTEM: &str = r#"(
             (name: "rear", forward_m: -2.3, yaw_deg: 180, fov_deg: 100, range_m: 100),
         ],
         confirm_frames: 5, lost_frames: 5, visible_share: 0.5,
-        noise_along_m: 0.1, noise_across_m: 0.05, noise_speed_mps: 0.05, noise_heading_rad: 0.01, miss_rate: 0,
-        jerk_density_along_m2ps5: 10, jerk_density_across_m2ps5: 1,
+        noise_along_m: 0.1, noise_across_m: 0.05, noise_speed_mps: 0.05, miss_rate: 0,
+        jerk_density_along_m2ps5: 10, jerk_density_across_m2ps5: 1, noise_heading_rad: 0.01,
     ),
     prediction: ConstantVelocity,
     planner: (
