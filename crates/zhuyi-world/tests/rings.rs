@@ -131,7 +131,7 @@ fn law_bodies_are_told_in_the_lap_nearest_to_the_ego() {
             let way = body.road.s - scene.ego.road.s;
             assert!(way.abs() <= LAP / 2.0 + 1e-9, "{way}");
             let there = road.world_from_road(body.road);
-            assert!((there.x - body.pose.x).hypot(there.y - body.pose.y) < 1e-9);
+            assert!(libm::hypot(there.x - body.pose.x, there.y - body.pose.y) < 1e-9);
             let Some(before) = &before else { continue };
             let was = &before.actors[index];
             let moved = body.road.s - was.road.s;
@@ -159,14 +159,14 @@ fn hand_a_contact_across_the_seam_comes_when_it_should() {
     let actors = [actor(2, 50.0, 0.0, Behaviour::Obstacle)];
     let mut time = 0.0;
     let touched = drive(&ring(), &actors, 20.0, 60.0, |scene| {
-        time = scene.time.seconds()
+        time = scene.time.seconds();
     });
     assert_eq!(touched, Some(ActorId(0)));
     assert!((time - 1.77).abs() < 0.03, "{time}");
     // Centres 30 m apart, but behind it: the rest of the lap.
     let actors = [actor(2, -20.0, 0.0, Behaviour::Obstacle)];
     let touched = drive(&ring(), &actors, 20.0, 60.0, |scene| {
-        time = scene.time.seconds()
+        time = scene.time.seconds();
     });
     assert_eq!(touched, Some(ActorId(0)));
     assert!((time - (400.0 - 30.0 - 4.6) / 20.0).abs() < 0.03, "{time}");

@@ -180,8 +180,8 @@ pub fn answers(
             samples.push(Sample { time, s, d, v });
             // The box as it stands, its half extents linear from row to row.
             let Footprint { length, width } = row.footprint;
-            let along = (length * cos.abs() + width * sin.abs()) / 2.0;
-            let across = (length * sin.abs() + width * cos.abs()) / 2.0;
+            let along = f64::midpoint(length * cos.abs(), width * sin.abs());
+            let across = f64::midpoint(length * sin.abs(), width * cos.abs());
             if let Some(last) = extents.last_mut() {
                 last.along_rate = (along - last.along) / (time - last.time);
                 last.across_rate = (across - last.across) / (time - last.time);
