@@ -15,7 +15,7 @@
 //! a latency by the one model of confirmation. [`cut_in`] plays whole cut-ins, to check three of them against others.
 //!
 //! **Who is covered.** A model answers for the actors that its source speaks of, and
-//! [`Reaction::NotDefined`](crate::Reaction::NotDefined) for others; [`Direction`] says when an actor comes towards the ego
+//! [`Reaction::NotDefined`] for others; [`Direction`] says when an actor comes towards the ego
 //! or crosses. A standing actor is an obstacle to all, however it stands; one behind the ego is no danger to any.
 //!
 //! | model | comes towards the ego | crosses | because |
