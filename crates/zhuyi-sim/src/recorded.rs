@@ -3,7 +3,7 @@
 //! Between two rows `s` is the quadratic that leaves the first with its speed and meets the second, the speed is linear, and so
 //! is `d`. A piece is extended as long as it meets the rows to within 1e-7 m and 1e-7 m/s, far below what any decision of the
 //! model turns on, so an actor that holds its acceleration for ten seconds is one piece, not a thousand. Half extents of a box
-//! that turns are lines that meet the rows to within 1 mm, see [`extents`]. Behind the last row an actor keeps its last speed,
+//! that turns are lines that meet the rows to within 1 mm, see the module `extents`. Behind the last row an actor keeps its last speed,
 //! offset and heading (reading R10). Places and speeds are those along one lane (reading R7). On a ring an actor's future counts
 //! on over its laps, while rows tell it in the lap nearest to the ego.
 
