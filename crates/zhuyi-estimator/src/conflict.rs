@@ -259,9 +259,7 @@ impl Walk {
         };
         if let Some((side, end, next)) = run.or_else(block) {
             let end = end.min(horizon);
-            while swing.end(self.extent) <= end {
-                self.extent += 1;
-            }
+            self.extent = self.extent.max(swing.index(end));
             return (side, end, next);
         }
         let (piece, extent_end) = (&across[self.index], swing.end(self.extent));

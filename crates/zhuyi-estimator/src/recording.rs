@@ -212,10 +212,12 @@ impl<'a> View<'a> {
         if swing.is_some_and(|swing| swing.changes_between(start, end)) {
             return None;
         }
-        let half = |time: f64| swing.map_or(0.0, |swing| swing.at(time).across);
+        // The end belongs to the piece before it, should the box jump there.
+        let half_at_start = swing.map_or(0.0, |swing| swing.at(start).across);
+        let half_at_end = swing.map_or(0.0, |swing| swing.before(end).across);
         let edges = [
-            lines.edges(piece.d, half(start)),
-            lines.edges(piece.d + (end - start) * piece.d_rate, half(end)),
+            lines.edges(piece.d, half_at_start),
+            lines.edges(piece.d + (end - start) * piece.d_rate, half_at_end),
         ];
         let inside = edges.map(|edges| lines.holds(edges));
         // On its way from one side to the other it passes through.

@@ -110,6 +110,15 @@ impl Frame<'_> {
     }
 }
 
+/// [-] least length along an offset per length along the reference line: a place with less is far beside the road, near the centre
+/// of its bend or behind that, where no speed along the road means anything.
+const LEAST_RATE: f64 = 0.2;
+
+/// [-] length along the offset of a place per length along the reference line, [`LEAST_RATE`] at least.
+fn rate_at(road: &Road, place: Frenet) -> f64 {
+    road.lane_rate(place.s, place.d).max(LEAST_RATE)
+}
+
 /// A place on a road as it is along a lane.
 fn along_lane(road: &Road, lane: Lane, Frenet { s, d }: Frenet) -> Foot {
     let (sin, cos) = libm::sincos(road.heading(s));
@@ -118,7 +127,7 @@ fn along_lane(road: &Road, lane: Lane, Frenet { s, d }: Frenet) -> Foot {
         s: frame.place(s),
         d,
         direction: (cos, sin),
-        scale: frame.rate(s) / road.lane_rate(s, d),
+        scale: frame.rate(s) / rate_at(road, Frenet { s, d }),
     }
 }
 
@@ -136,7 +145,7 @@ pub fn places_on<'a>(
             |(before, place)| {
                 let elapsed = log.steps[row.step].time - log.steps[before.step].time;
                 let turned = before.pose.heading - road.heading(place.s);
-                let rate = before.speed * libm::cos(turned) / road.lane_rate(place.s, place.d);
+                let rate = before.speed * libm::cos(turned) / rate_at(road, place);
                 road.road_from_world_near(point, place.s + rate * elapsed)
             },
         );

@@ -142,3 +142,36 @@ fn law_on_a_ring_everybody_is_told_in_the_lap_nearest_to_the_ego() {
         }
     }
 }
+
+/// A vehicle at the centre of the bend, moving and standing, used to end the program: no length there belongs to a length of the
+/// road.
+#[test]
+fn regress_a_vehicle_at_the_centre_of_a_bend_is_answered() {
+    let bend = [Segment::Arc {
+        length: 100.0,
+        curvature: 1.0 / 64.0,
+    }];
+    let road = Road::new(Pose::default(), &bend, 2, 3.5).unwrap();
+    for speed in [0.0, 3.0] {
+        let mut text = HEADER.to_string();
+        for step in 0..20 {
+            let time = f64::from(step) / 10.0;
+            row(&mut text, time, "ego", [10.0 * time, 0.0, 0.0, 10.0, 0.0]);
+            row(
+                &mut text,
+                time,
+                "middle",
+                [speed * time, 64.0, 0.0, speed, 0.0],
+            );
+        }
+        let log = Log::read(&text, None).unwrap();
+        let replay = Replay::new(&log, log.find("ego").unwrap(), Some(&road), 20.0);
+        for moment in replay.moments() {
+            let body = moment.actors[0].body;
+            assert!(
+                body.road.s.is_finite() && body.s_rate.abs() <= 5.5 * 3.0,
+                "{body:?}"
+            );
+        }
+    }
+}

@@ -128,7 +128,8 @@ pub(super) fn check_pace(
             continue;
         };
         // Who is told to stop on the way across is not promised to arrive.
-        let stops = highest > 0.0 && stops_within(time, duration, &manoeuvres[place + 1..]);
+        let takes = duration * BY_THE_WAY / highest;
+        let stops = highest > 0.0 && stops_within(time, takes, &manoeuvres[place + 1..]);
         if highest < BY_THE_WAY && !stops {
             let then = node.field("then").unwrap_or_else(|| node.clone());
             let node = then.field("duration_s").unwrap_or(then);
@@ -136,7 +137,7 @@ pub(super) fn check_pace(
                 Conflict::SlowLaneChange {
                     speed: highest,
                     duration,
-                    takes: duration * BY_THE_WAY / highest,
+                    takes,
                     limit: BY_THE_WAY,
                 }
             } else {
@@ -146,15 +147,19 @@ pub(super) fn check_pace(
     }
 }
 
-/// Whether an actor is told to brake to a standstill in a lane change that begins at `start` [s].
-fn stops_within(start: Option<f64>, duration: f64, later: &[Manoeuvre]) -> bool {
+/// Whether an actor may be told to come to a standstill in a lane change that begins at `start` [s] and takes so long [s]; where
+/// one of the times is not known, it may.
+fn stops_within(start: Option<f64>, takes: f64, later: &[Manoeuvre]) -> bool {
     let mut from = start;
     later.iter().any(|manoeuvre| {
         from = next_time(manoeuvre, from);
-        let within = from
-            .zip(start)
-            .is_some_and(|(at, start)| at < start + duration);
-        within && matches!(manoeuvre.then, Action::Brake { .. })
+        let within = from.zip(start).is_none_or(|(at, start)| at < start + takes);
+        let stops = match manoeuvre.then {
+            Action::Brake { .. } => true,
+            Action::ReachSpeed { speed, .. } => speed == 0.0,
+            Action::ChangeLane { .. } | Action::Behave(_) => false,
+        };
+        within && stops
     })
 }
 

@@ -93,6 +93,14 @@ fn hand_what_a_script_does_not_tell_is_not_refused() {
     );
     assert_eq!(told("speed_mps: 4", &stops), None);
     assert!(told("speed_mps: 0", &stops).is_some());
+    // In the time that it takes, not the one that it is given, and where a trigger does not tell when.
+    let late = format!(
+        "{} (when: Time(at_s: 3.2), then: ReachSpeed(speed_mps: 0, accel_mps2: 4))",
+        change(0.5)
+    );
+    assert_eq!(told("speed_mps: 4", &late), None);
+    let some_time = format!("{CHANGE} (when: GapToEgo(gap_m: 20), then: Brake(decel_mps2: 8))");
+    assert_eq!(told("speed_mps: 4", &some_time), None);
     let later = format!(
         "{} (when: Time(at_s: 4), then: Brake(decel_mps2: 8))",
         change(0.5)
