@@ -168,7 +168,7 @@ impl Mover {
         if curvature == 0.0 {
             return self.s + way; // all offsets are equally long
         }
-        self.s + way / (1.0 - curvature * self.lateral(dt / 2.0).d)
+        self.s + way / lane_rate(curvature, self.lateral(dt / 2.0).d)
     }
 
     /// The body `dt` seconds on, within the current step.
@@ -194,10 +194,16 @@ impl Mover {
                 libm::hypot(along, d_rate)
             },
             accel: self.accel,
-            s_rate: along / (1.0 - curvature * d),
+            s_rate: along / lane_rate(curvature, d),
             d_rate,
         }
     }
+}
+
+/// [-] length along an offset `d` [m] per length along the reference line, 0.2 at least: who overshoots that far is beside the road,
+/// near the centre of its bend.
+fn lane_rate(curvature: f64, d: f64) -> f64 {
+    (1.0 - curvature * d).max(0.2)
 }
 
 /// [-] how fast the clock of lane changes goes at a speed along the lane.
