@@ -32,7 +32,9 @@ fuzz_target!(|input: &str| {
         plan.block(plan.blocks().saturating_sub(1)),
     ] {
         let mut told = 0;
-        let read = plan.made(places.clone(), table.as_bytes(), &mut |_, _, _, _| told += 1);
+        let read = plan.made(places.clone(), table.as_bytes(), &mut |_, _, _, _| {
+            told += 1
+        });
         if read.is_ok() {
             assert_eq!(told, places.end - places.start);
         }
