@@ -110,13 +110,9 @@ impl Frame<'_> {
     }
 }
 
-/// [-] least length along an offset per length along the reference line: a place with less is far beside the road, near the centre
-/// of its bend or behind that, where no speed along the road means anything.
-const LEAST_RATE: f64 = 0.2;
-
-/// [-] length along the offset of a place per length along the reference line, [`LEAST_RATE`] at least.
+/// [-] length along the offset of a place per length along the reference line, [`Road::LEAST_LANE_RATE`] at least.
 fn rate_at(road: &Road, place: Frenet) -> f64 {
-    road.lane_rate(place.s, place.d).max(LEAST_RATE)
+    road.lane_rate(place.s, place.d).max(Road::LEAST_LANE_RATE)
 }
 
 /// A place on a road as it is along a lane.

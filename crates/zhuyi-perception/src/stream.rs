@@ -106,7 +106,7 @@ pub fn normal_pair(u1: f64, u2: f64) -> (f64, f64) {
     (radius * cos, radius * sin)
 }
 
-/// The first of the two alone.
+/// The first number of [`normal_pair`] alone.
 pub fn normal(u1: f64, u2: f64) -> f64 {
     (-2.0 * libm::log(1.0 - u1)).sqrt() * libm::cos(TAU * u2)
 }

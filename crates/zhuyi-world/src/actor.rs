@@ -200,10 +200,9 @@ impl Mover {
     }
 }
 
-/// [-] length along an offset `d` [m] per length along the reference line, 0.2 at least: who overshoots that far is beside the road,
-/// near the centre of its bend.
+/// [-] length along an offset `d` [m] per length along the reference line, [`Road::LEAST_LANE_RATE`] at least.
 fn lane_rate(curvature: f64, d: f64) -> f64 {
-    (1.0 - curvature * d).max(0.2)
+    (1.0 - curvature * d).max(Road::LEAST_LANE_RATE)
 }
 
 /// [-] how fast the clock of lane changes goes at a speed along the lane.

@@ -76,6 +76,9 @@ impl Road {
     pub const MAX_LANE_WIDTH: f64 = 10.0;
     /// [m] longest segment: up to there `f64` resolves 1e-10 m.
     pub const MAX_SEGMENT_LENGTH: f64 = 1e6;
+    /// [-] least 1 - κ d by which a speed beside the road is divided: a place with less lies near the centre of a bend or behind
+    /// it, where no speed along the road means anything.
+    pub const LEAST_LANE_RATE: f64 = 0.2;
 
     /// An open road whose reference line, the middle of the road, starts at `start`.
     ///
