@@ -93,8 +93,8 @@ pub fn swept_gap(ego: &Body, other: &Body) -> Option<f64> {
     let offsets = corners.filter(|y| *y > low && *y < high).chain([low, high]);
     let gap = offsets
         .map(|y| {
-            let (_, foremost) = span(&front, y);
-            let (rearmost, _) = span(&rear, y);
+            let foremost = edges_at(&front, y).fold(f64::NEG_INFINITY, f64::max);
+            let rearmost = edges_at(&rear, y).fold(f64::INFINITY, f64::min);
             rearmost - foremost
         })
         .fold(f64::INFINITY, f64::min);
@@ -107,30 +107,26 @@ fn outline(body: &Body) -> [Point; 4] {
     body.footprint.corners(place)
 }
 
-/// [m] the least and the largest s of a box at an offset `d`, which it reaches.
-fn span(corners: &[Point; 4], d: f64) -> (f64, f64) {
-    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
-    for (place, from) in corners.iter().enumerate() {
-        let to = corners[(place + 1) % 4];
-        let (low, high) = (from.y.min(to.y), from.y.max(to.y));
-        // Rounding may leave the outermost corner just outside.
-        if d < low - ROUNDING || d > high + ROUNDING {
-            continue;
-        }
-        let share = if high - low > ROUNDING {
-            ((d - from.y) / (to.y - from.y)).clamp(0.0, 1.0)
-        } else {
-            0.0
-        };
-        for s in [from.x + share * (to.x - from.x)]
-            .into_iter()
-            .chain((high - low <= ROUNDING).then_some(to.x))
-        {
-            least = least.min(s);
-            most = most.max(s);
-        }
-    }
-    (least, most)
+/// [m] the s at which the edges of a box cross an offset `d`, which it reaches; both ends of an edge that lies along it.
+fn edges_at(corners: &[Point; 4], d: f64) -> impl Iterator<Item = f64> {
+    (0..4)
+        .flat_map(move |place| {
+            let (from, to) = (corners[place], corners[(place + 1) % 4]);
+            let (before, behind) = (from.y - d, to.y - d);
+            // Rounding may leave the outermost corner just outside.
+            let misses = (before > ROUNDING && behind > ROUNDING)
+                || (before < -ROUNDING && behind < -ROUNDING);
+            if misses {
+                return [None, None];
+            }
+            let rise = to.y - from.y;
+            if rise.abs() <= ROUNDING {
+                return [Some(from.x), Some(to.x)];
+            }
+            let share = (-before / rise).clamp(0.0, 1.0);
+            [Some(from.x + share * (to.x - from.x)), None]
+        })
+        .flatten()
 }
 
 /// [m] slack for the rounding of corners.

@@ -119,11 +119,13 @@ impl Sector {
         if let Some((meets, _)) = self.holds_plainly(pose.point(), 0.5 * (length + width)) {
             return meets;
         }
-        let (forward, left) = pose.local(self.eye);
+        let axes = Axes::new(pose);
+        let (forward, left) = axes.local(self.eye);
         if forward.abs() <= length / 2.0 && left.abs() <= width / 2.0 {
             return true;
         }
-        let corners = footprint.corners(pose).map(|corner| self.seen(corner));
+        let corners = footprint.corners_on(&axes);
+        let corners = corners.map(|corner| self.seen(corner));
         corners.iter().any(|corner| self.holds_seen(*corner))
             || (0..4).any(|i| self.meets_edge(corners[i], corners[(i + 1) % 4]))
     }
@@ -185,6 +187,29 @@ impl Sector {
         let squared = x * x + y * y;
         squared <= self.range * self.range
             && x * self.axis.0 + y * self.axis.1 >= squared.sqrt() * self.edge
+    }
+}
+
+/// A camera with the sector that it covers in the frame of the ego, ready to be asked from many places of the ego.
+#[derive(Clone, Copy, Debug)]
+pub struct Mounted<'a> {
+    camera: &'a Camera,
+    sector: Sector,
+}
+
+impl<'a> Mounted<'a> {
+    /// A camera of the rig.
+    pub fn new(camera: &'a Camera) -> Self {
+        let sector = Sector::new(camera, camera.pose(Pose::default()));
+        Self { camera, sector }
+    }
+
+    /// As [`Camera::covers_body`], given the ego's axes.
+    pub fn covers_body(&self, ego: &Axes, body: &Body) -> bool {
+        let Footprint { length, width } = body.footprint;
+        let (x, y) = ego.local(body.pose.point());
+        let plain = (self.sector).holds_plainly(Point::new(x, y), 0.5 * (length + width));
+        plain.map_or_else(|| self.camera.covers_body(ego.pose, body), |(held, _)| held)
     }
 }
 

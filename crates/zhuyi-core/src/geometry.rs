@@ -170,8 +170,12 @@ impl Footprint {
 
     /// The four corners of the box at `pose`: front left, front right, rear right, rear left.
     pub fn corners(self, pose: Pose) -> [Point; 4] {
+        self.corners_on(&Axes::new(pose))
+    }
+
+    /// The same, given the axes of that pose.
+    pub fn corners_on(self, axes: &Axes) -> [Point; 4] {
         let (l, w) = (self.length / 2.0, self.width / 2.0);
-        let axes = Axes::new(pose);
         [(l, w), (l, -w), (-l, -w), (-l, w)].map(|(ahead, left)| axes.offset(ahead, left))
     }
 

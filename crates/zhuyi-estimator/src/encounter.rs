@@ -165,18 +165,32 @@ impl<'a> Encounter<'a> {
         Verdict::Nothing
     }
 
-    /// Whether for sure nothing happens to a candidate on a block.
-    pub fn is_idle(&self, ask: Ask, candidate: &Candidate, block: &Cell<'_, AlongBlock>) -> bool {
+    /// Until when [s] for sure nothing happens to a candidate on a block, at most its end.
+    pub fn idle_until(&self, ask: Ask, candidate: &Candidate, block: &Cell<'_, AlongBlock>) -> f64 {
         let kept = self.corridor.kept_of_blocks.length / 2.0;
         let datum = Datum {
             origin: self.datum.origin - kept,
             ..self.datum
         };
-        parts(&candidate.motion, block.start, block.end).all(|(phase, a, b)| {
+        for (phase, a, b) in parts(&candidate.motion, block.start, block.end) {
             let outline = Outline::new(a, b, block.piece, datum, phase);
             let reacted = ask.met && phase.start >= candidate.reaction_time;
-            (!ask.contact || outline.is_clear()) && (!reacted || outline.is_unmet(self.margins))
-        })
+            let contact = if ask.contact {
+                outline.first_contact()
+            } else {
+                None
+            };
+            let met = if reacted {
+                outline.first_met(self.margins)
+            } else {
+                None
+            };
+            if contact.is_some() || met.is_some() {
+                let first = |event: Option<f64>| event.unwrap_or(f64::INFINITY);
+                return a + first(contact).min(first(met));
+            }
+        }
+        block.end
     }
 }
 

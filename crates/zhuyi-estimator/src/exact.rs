@@ -173,11 +173,24 @@ impl<F: Fn(usize) -> Candidate> Visitor for Search<'_, '_, F> {
     /// [s] until when the front did not meet the constraints when the borders met.
     type Found = f64;
 
-    fn passes_over(&self, block: &Cell<'_, AlongBlock>) -> bool {
+    fn idle_until(&self, block: &Cell<'_, AlongBlock>) -> f64 {
         // Where the back is clear, so is the front.
-        let (met, contact) = (self.asks_met(), self.asks_contact());
-        (!self.ask.met || self.encounter.is_idle(met, &self.front, block))
-            && (!self.ask.contact || self.encounter.is_idle(contact, &self.back, block))
+        let mut until = block.end;
+        if self.ask.met {
+            let met = self.asks_met();
+            until = self.encounter.idle_until(met, &self.front, block);
+        }
+        if self.ask.contact && until > block.start {
+            let (contact, rest) = (
+                self.asks_contact(),
+                Cell {
+                    end: until,
+                    ..*block
+                },
+            );
+            until = self.encounter.idle_until(contact, &self.back, &rest);
+        }
+        until
     }
 
     fn leash(&self, time: f64) -> Leash {

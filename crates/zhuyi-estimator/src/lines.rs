@@ -4,7 +4,7 @@ use crate::recording::AcrossBlock;
 use crate::{Ego, Params};
 use zhuyi_core::Footprint;
 
-/// [m] an ego that has moved sideways by less has hardly moved.
+/// [m] an ego that has moved sideways, or whose box has turned, by less than this at the edges has hardly moved.
 const NEAR: f64 = 0.003;
 
 /// Where the bodies begin to be close and to overlap.
@@ -98,10 +98,14 @@ impl Lines {
         (is_surely(from) && is_surely(to) && !crosses && !to.right.is_nan()).then_some(side)
     }
 
-    /// Whether others are the same for an ego that has hardly moved sideways.
+    /// Whether others are about the same, for an ego that has hardly moved sideways.
     pub fn are_near(&self, other: &Self) -> bool {
-        let same = (self.body, self.lane, self.reach) == (other.body, other.lane, other.reach);
-        same && (self.ego - other.ego).abs() < NEAR
+        let aside = (self.ego - other.ego).abs();
+        let wider = larger(
+            (self.body - other.body).abs(),
+            (self.lane - other.lane).abs(),
+        );
+        aside + wider < NEAR && (self.reach - other.reach).abs() < NEAR
     }
 }
 
@@ -127,4 +131,10 @@ pub(crate) enum Side {
     Apart,
     Close,
     Overlap,
+}
+
+/// The larger of two numbers.
+#[inline]
+fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }

@@ -100,15 +100,15 @@ impl Playback<'_> {
         let extents = &self.recording.trajectory().extents;
         let lines = Lines::new(params, ego, stand(self.actor, extents, now).0);
         let held = Start::new(ego.speed, ego.accel);
+        let is_near = self.lines.is_none_or(|kept| kept.are_near(&lines));
         if let Some(proof) = &self.proof {
-            let is_near = self.lines.is_some_and(|kept| kept.are_near(&lines));
             if !is_near || !proof.holds(params, lines, ego.s, held, now, current_latency) {
                 self.proof = None;
             } else if !params.jumps() {
                 return self.proven(proof, held);
             }
         }
-        let now = self.look(now, lines);
+        let now = self.look(now, lines, is_near);
         if self.is_surely_quiet(ego, lines, now) {
             return self.any_latency(State::None);
         }
@@ -176,8 +176,9 @@ impl Playback<'_> {
         }
     }
 
-    /// Goes on to `now`, and looks how the bodies are to each other unless the ego is on its way sideways.
-    fn look(&mut self, now: f64, lines: Lines) -> Now {
+    /// Goes on to `now`, and looks how the bodies are to each other unless the ego is on its way sideways: its lines are not
+    /// near the ones it had.
+    fn look(&mut self, now: f64, lines: Lines, is_near: bool) -> Now {
         let Trajectory {
             along,
             across,
@@ -201,7 +202,6 @@ impl Playback<'_> {
             *first_across += 1;
         }
         self.now.time = now;
-        let is_near = self.lines.is_none_or(|kept| kept.are_near(&lines));
         if !is_near || self.runs.is_empty() {
             // A proof rests on the runs.
             (self.lines, self.proof) = (Some(lines), None);

@@ -6,17 +6,18 @@
 //! within the two (index 0: the step of the proof; u: how much faster the ego is than it was to be, w: how much further on):
 //!
 //! ```text
-//!  u_0 = v - (v_0 + a_0 Δ)       u_r = u_0 + (a - a_0) r       w = s - (s_0 + v_0 Δ + a_0 Δ²/2)
+//!  u_0 = v - (v_0 + a_0 Δ)       u_r = u_0 + (a - a_0) r       w = f - (f_0 + v_0 Δ + a_0 Δ²/2)
 //!
 //!  still tolerable:   Δ <= later      u_r <= (a_0 + b) (later - Δ)      w + (r + later) max(0, u_0, u_r) <= h
-//!  still refused:     Δ <= t_c, r - sooner      u_q >= -(a + b) (sooner + Δ)      h + w - (r + Δ) max(0, -u_0, -u_q) >= (1 - C1) (s - s_0)
+//!  still refused:     Δ <= t_c, r - sooner      u_q >= -(a + b) (sooner + Δ)      h + w - (r + Δ) max(0, -u_0, -u_q) >= (1 - C1) (f - f_0)
 //!                     with u_q = u_0 + (a - a_0) (r - sooner - Δ)
 //! ```
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | Δ | time since the proof | s |
-//! | s, v, a, b | the ego's place, speed, acceleration and braking | m, m/s, m/s2, m/s2 |
+//! | f | the ego's place and half of both lengths, as far as the actor's does not change: where its front counts | m |
+//! | v, a, b | the ego's speed, acceleration and braking | m/s, m/s2, m/s2 |
 //! | r | reaction time of the candidate, the same at every step | s |
 //! | t_c | when the refused one, handicapped, comes into contact; infinite where it and the actor come to stand without | s |
 //!
@@ -49,9 +50,12 @@ use crate::{Criterion, Params, exact};
 
 /// The handicaps that are tried, the longest-lived first: a share [-] of the time between the reactions of the two candidates, by
 /// which the first reacts later, and h [m].
-const LATER: [(f64, f64); 2] = [(0.5, 0.15), (0.12, 0.08)];
+const LATER: [(f64, f64); 2] = [(0.3, 0.1), (0.12, 0.06)];
 
-/// The same for the one before, which reacts sooner.
+/// The same where there is no candidate before, in seconds: mostly there is much room.
+const LATER_ALONE: [(f64, f64); 2] = [(4.0, 2.0), (0.5, 0.15)];
+
+/// The handicaps of the one before, which reacts sooner.
 const SOONER: [(f64, f64); 2] = [(0.05, 0.15), (0.02, 0.03)];
 
 /// [m, m/s] what rounding may take of any margin, and more.
@@ -66,8 +70,8 @@ pub(crate) struct Proof {
     current_latency: f64,
     /// [s] t_0 of the proof.
     now: f64,
-    /// [m] the ego's place then.
-    s: f64,
+    /// [m] f then.
+    front: f64,
     held: Start,
     decel: f64,
     stay: Stay,
@@ -82,8 +86,8 @@ struct Stay {
     lines: Lines,
     /// [s] on the clock of the recording: when it begins, or when the bodies cease to overlap.
     until: f64,
-    /// [m] of one that is to begin: `s` of the actor's centre then, plus half of both lengths. It counts if the centre of an ego that
-    /// holds its acceleration is behind.
+    /// [m] of one that is to begin: `s` of the actor's front then, as far as the lines do not count it. It counts if the rear of an
+    /// ego that holds its acceleration is behind.
     limit: Option<f64>,
 }
 
@@ -154,7 +158,10 @@ impl Proof {
         };
         let answer = delay(index);
         let before = index.checked_sub(1).map(&delay);
-        let between = before.map_or(1.0, |before| before.reaction_time - answer.reaction_time);
+        let (between, handicaps) = match before {
+            Some(before) => (before.reaction_time - answer.reaction_time, LATER),
+            None => (1.0, LATER_ALONE),
+        };
         let refused = match before {
             None => None,
             Some(before) => Some(SOONER.iter().find_map(|(share, handicap)| {
@@ -174,7 +181,7 @@ impl Proof {
                 })
             })?),
         };
-        let tolerable = LATER.iter().find_map(|(share, handicap)| {
+        let tolerable = handicaps.iter().find_map(|(share, handicap)| {
             let later = share * between;
             let holds = tried(answer, later, *handicap).index == 0;
             holds.then_some(Tolerable {
@@ -187,7 +194,7 @@ impl Proof {
             index,
             current_latency,
             now: encounter.datum.now,
-            s: corridor.ego,
+            front: corridor.ego + corridor.lines.reach,
             held,
             decel: encounter.decel,
             stay,
@@ -209,16 +216,17 @@ impl Proof {
         current_latency: f64,
     ) -> bool {
         let (since, before) = (now - self.now, self.held);
+        let front = s + lines.reach;
         let Start { speed, accel } = held;
         let strayed = Strayed {
             since,
             held,
             faster: speed - (before.speed + before.accel * since),
-            further: s - (self.s + since * (before.speed + since * (before.accel / 2.0))),
+            further: front - (self.front + since * (before.speed + since * (before.accel / 2.0))),
             change: accel - before.accel,
         };
         since >= 0.0
-            && s >= self.s
+            && front >= self.front
             && before.speed + before.accel * since >= 0.0
             && current_latency == self.current_latency
             && braking_decel(accel, params.c3, params.c4) == self.decel
@@ -226,7 +234,7 @@ impl Proof {
             && self.stay.holds(lines, s, held, now)
             && self.tolerable.holds(self, &strayed)
             && self.refused.is_none_or(|refused| {
-                let needed = (1.0 - params.c1) * (s - self.s);
+                let needed = (1.0 - params.c1) * (front - self.front);
                 refused.holds(self, &strayed, needed)
             })
     }
@@ -262,7 +270,7 @@ impl Stay {
                     until: encounter.datum.now + entry.start,
                     limit: Some({
                         let half = corridor.half_along(entry.start);
-                        corridor.actor_at(entry.start) + corridor.lines.reach + half
+                        corridor.actor_at(entry.start) + half
                     }),
                 })
             }
@@ -273,7 +281,8 @@ impl Stay {
     #[inline]
     fn holds(&self, lines: Lines, s: f64, held: Start, now: f64) -> bool {
         let left = self.until - now;
-        let counts = |limit| s + held.distance(left) + GUARD < limit;
+        let rear = s - lines.reach;
+        let counts = |limit| rear + held.distance(left) + GUARD < limit;
         // When an actor enters or leaves depends on the very lines.
         let same = self.is_for_ever() || self.lines == lines;
         same && left > 0.0 && self.limit.is_none_or(counts)

@@ -143,19 +143,19 @@ impl Outline {
         }
     }
 
-    /// There is surely no contact.
-    pub fn is_clear(&self) -> bool {
+    /// The x before which there is surely no contact; none where there is none on all of it.
+    pub fn first_contact(&self) -> Option<f64> {
         let mut nearer = self.stretch;
         nearer.gap.c0 -= self.gap_error;
-        nearer.first_contact().is_none()
+        nearer.first_contact()
     }
 
-    /// At no time are both constraints met.
-    pub fn is_unmet(&self, margins: Margins) -> bool {
+    /// The x before which both constraints are surely not met; none where they are not on all of it.
+    pub fn first_met(&self, margins: Margins) -> Option<f64> {
         let mut kinder = self.stretch;
         kinder.gap.c0 += self.gap_error;
         kinder.actor_speed.0 += self.speed_error;
-        kinder.first_met(margins, kinder.length).is_none()
+        kinder.first_met(margins, kinder.length)
     }
 }
 

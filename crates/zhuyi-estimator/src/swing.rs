@@ -37,20 +37,17 @@ pub(crate) fn stand(
     extents: &[Extent],
     now: f64,
 ) -> (Footprint, Option<Swing<'_>>) {
-    if extents.is_empty() {
+    let Some((last, earlier)) = extents.split_last() else {
         return (actor, None);
+    };
+    if last.is_at_rest() && (earlier.is_empty() || last.time <= now) {
+        let kept = Footprint {
+            length: 2.0 * last.along,
+            width: 2.0 * last.across,
+        };
+        return (kept, None);
     }
-    let swing = Swing { extents, now };
-    match extents[swing.index(0.0)..] {
-        [only] if only.is_at_rest() => {
-            let kept = Footprint {
-                length: 2.0 * only.along,
-                width: 2.0 * only.across,
-            };
-            (kept, None)
-        }
-        _ => (Footprint::default(), Some(swing)),
-    }
+    (Footprint::default(), Some(Swing { extents, now }))
 }
 
 impl<'a> Swing<'a> {

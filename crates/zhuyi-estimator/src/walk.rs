@@ -104,8 +104,8 @@ pub(crate) trait Visitor {
     /// What ends the visit.
     type Found;
 
-    /// Whether nothing on this block can matter.
-    fn passes_over(&self, block: &Cell<'_, AlongBlock>) -> bool;
+    /// Until when [s] nothing on this block can matter, at most its end.
+    fn idle_until(&self, block: &Cell<'_, AlongBlock>) -> f64;
 
     /// What tells at once that nothing happens, from `time` on.
     fn leash(&self, time: f64) -> Leash;
@@ -138,16 +138,20 @@ impl Encounter<'_> {
                 }
                 tried = (index / FINEST + 1) * FINEST;
             }
-            if swing.is_some()
+            if let Some(swing) = swing
                 && whole != Some(index)
-                && let Some(end) = self.pass_over_piece(index, time, to, visitor)
+                && let Some((until, end)) = self.pass_over_piece(index, time, to, visitor)
             {
-                if end >= to {
-                    return None;
+                if until >= end {
+                    if end >= to {
+                        return None;
+                    }
+                    (time, index, extent) = (end, index + 1, swing.index(end));
+                    continue;
                 }
-                (time, index) = (end, index + 1);
-                extent = swing.map_or(0, |swing| swing.index(end));
-                continue;
+                // On with the piece of the half extents on which something may matter.
+                extent = swing.index(until);
+                time = time.max(swing.start(extent));
             }
             whole = Some(index);
             let next = future.along.get(index + 1);
@@ -217,24 +221,25 @@ impl Encounter<'_> {
         }
     }
 
-    /// The end of a piece of which nothing matters from `start` on, however the box turns on it.
+    /// Until when nothing matters on a piece from `start` on, however the box turns on it, and the end of the piece; none where
+    /// it has no block.
     fn pass_over_piece(
         &self,
         index: usize,
         start: f64,
         to: f64,
         visitor: &impl Visitor,
-    ) -> Option<f64> {
+    ) -> Option<(f64, f64)> {
         let coarse = self.corridor.view.coarse?;
         let block = coarse.turning_pieces.get(index)?.as_ref()?;
-        let end = block.end - self.datum.now;
+        let end = (block.end - self.datum.now).min(to);
         let cell = Cell {
             start,
-            end: end.min(to),
+            end,
             piece: block,
         };
         let begun = block.fit.time <= start + self.datum.now;
-        (begun && visitor.passes_over(&cell)).then_some(end)
+        begun.then(|| (visitor.idle_until(&cell), end))
     }
 
     /// The end of a block of which nothing matters from `start` on, and the piece behind it.
@@ -258,7 +263,7 @@ impl Encounter<'_> {
                 end: (block.end - now).min(to),
                 piece: block,
             };
-            if begun && visitor.passes_over(&cell) {
+            if begun && visitor.idle_until(&cell) >= cell.end {
                 return Some((block.end - now, (index / size + 1) * size));
             }
         }
@@ -295,8 +300,8 @@ struct Single<'e, 'a> {
 impl Visitor for Single<'_, '_> {
     type Found = f64;
 
-    fn passes_over(&self, block: &Cell<'_, AlongBlock>) -> bool {
-        self.encounter.is_idle(self.ask, self.candidate, block)
+    fn idle_until(&self, block: &Cell<'_, AlongBlock>) -> f64 {
+        self.encounter.idle_until(self.ask, self.candidate, block)
     }
 
     fn leash(&self, time: f64) -> Leash {
@@ -323,8 +328,8 @@ struct Slow<'e, 'a> {
 impl Visitor for Slow<'_, '_> {
     type Found = ();
 
-    fn passes_over(&self, _: &Cell<'_, AlongBlock>) -> bool {
-        false
+    fn idle_until(&self, block: &Cell<'_, AlongBlock>) -> f64 {
+        block.start
     }
 
     fn leash(&self, _: f64) -> Leash {

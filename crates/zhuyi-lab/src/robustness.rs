@@ -28,8 +28,8 @@ use variations::{Variation, variations};
 const BLOCKS: u64 = 20;
 
 /// The first fresh seed: far from those over which the scenarios were searched. A block is spent once it was looked at; spent are
-/// 1000 to 1199, before turned boxes.
-const FRESH_FROM: u64 = 2_000;
+/// 1000 to 1199, before turned boxes, and 2000 to 2199, before the distances were searched anew.
+const FRESH_FROM: u64 = 3_000;
 
 /// One line of a table: what was changed, and the MRF of each scenario.
 struct Line {

@@ -6,7 +6,8 @@
 use std::ops::Range;
 
 use rayon::prelude::*;
-use zhuyi_core::{ActorId, FrameRates, SimTime};
+use zhuyi_core::camera::Mounted;
+use zhuyi_core::{ActorId, Axes, FrameRates, SimTime};
 use zhuyi_estimator::Estimator;
 use zhuyi_perception::Eye;
 use zhuyi_scenario::{Scenario, System};
@@ -210,10 +211,10 @@ impl Experiment<'_> {
 
     fn active(&self, trace: &Trace) -> Vec<bool> {
         let sees = |eye: &Eye| {
+            let camera = Mounted::new(&eye.camera);
             let covers = |row: Row<'_>| {
-                row.actors
-                    .iter()
-                    .any(|body| eye.camera.covers_body(row.ego.pose, body))
+                let ego = Axes::new(row.ego.pose);
+                row.actors.iter().any(|body| camera.covers_body(&ego, body))
             };
             trace.rows().step_by(GLANCE).any(covers)
         };

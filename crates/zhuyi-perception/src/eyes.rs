@@ -33,7 +33,7 @@ use rand_chacha::ChaCha8Rng;
 use zhuyi_core::{ActorId, Body, CameraId, Detection, Frame, FrameRates, Scene, SimTime};
 
 use crate::sight::View;
-use crate::stream::{Luck, NoiseStream, Purpose, normal};
+use crate::stream::{NoiseStream, Purpose};
 use crate::{Clock, Eye, Perception, Truth};
 
 /// Frames in flight of each camera for which there is room from the start.
@@ -58,9 +58,7 @@ struct Shutter {
     clock: Clock,
     view: View,
     /// With each actor.
-    fortunes: Vec<NoiseStream<5>>,
-    /// Of the heading of each actor; empty where headings are exact.
-    headings: Vec<NoiseStream<2>>,
+    fortunes: Vec<NoiseStream>,
     /// By how much its frames take longer; none where they never do.
     lateness: Option<ChaCha8Rng>,
     /// Which of its pictures are lost; none where none is.
@@ -99,11 +97,6 @@ impl Eyes {
                 lateness: where_on(params.latency_jitter > 0.0, Purpose::Latency(camera)),
                 loss: where_on(params.drop_rate > 0.0, Purpose::Loss(camera)),
                 view: View::with_room(start.actors.len()),
-                headings: actors
-                    .clone()
-                    .filter(|_| params.noise_heading > 0.0)
-                    .map(|actor| NoiseStream::new(draws(Purpose::Heading(camera, actor))))
-                    .collect(),
                 fortunes: actors
                     .map(|actor| NoiseStream::new(draws(Purpose::Detection(camera, actor))))
                     .collect(),
@@ -326,29 +319,22 @@ impl Shutter {
         let mut detections = list;
         detections.clear();
         for (index, (body, fortune)) in bodies.iter().zip(&mut self.fortunes).enumerate() {
-            let heading = self.headings.get_mut(index);
             if !self.view.sees(index, params.visible_share) {
                 fortune.pass();
-                heading.map(NoiseStream::pass);
                 continue;
             }
-            let luck = Luck::from(fortune.draw());
+            let luck = fortune.draw();
             if luck.miss < miss_rate {
-                heading.map(NoiseStream::pass);
                 continue;
             }
-            let turned = heading.map_or(0.0, |stream| {
-                let [a, b] = stream.draw();
-                params.noise_heading * normal(a, b)
-            });
-            let [z1, z2, z3, z4] = luck.normals();
+            let [z1, z2, z3, z4, z5] = luck.normals();
             let mut road = body.road;
             road.s += params.noise_along * z1;
             road.d += params.noise_across * z2;
             detections.push(Detection {
                 actor: ActorId(index as u32),
                 road,
-                turn: body.turn + turned,
+                turn: body.turn + params.noise_heading * z5,
                 s_rate: body.s_rate + params.noise_speed * z3,
                 d_rate: body.d_rate + params.noise_speed * z4,
                 footprint: body.footprint,

@@ -11,7 +11,7 @@
 //! - [`truth`]: what it looks at.
 //! - [`clock`]: when a camera exposes (reading R15).
 //! - [`sight`]: what it can see from where it is (R17).
-//! - [`stream`]: what chance adds to that (R18).
+//! - [`stream`], [`normal`]: what chance adds to that (R18).
 //! - [`eyes`]: the rig at work; frames from exposure to delivery (R15).
 //! - [`axis`], [`belief`]: the Kalman filter of one actor.
 //! - [`tracker`]: which actors the ego believes in, and where they are now (R16).
@@ -24,6 +24,7 @@ pub mod axis;
 pub mod belief;
 pub mod clock;
 pub mod eyes;
+pub mod normal;
 pub mod params;
 pub mod sight;
 mod silhouette;

@@ -49,9 +49,11 @@ fn future(trace: &Trace, actor: usize, lane: LaneFrame<'_>) -> Trajectory {
         .next()
         .unwrap_or_else(|| unreachable!("a trace has at least its first row"));
     let (mut told, mut body) = (first.road.s, along_lane(first.road.s, first));
+    let mut turns = first.turn != 0.0;
     let mut along: Vec<Along> = Vec::new();
     let mut across: Vec<Across> = Vec::new();
     for (next_t, next) in rows {
+        turns |= next.turn != 0.0;
         told = trace.nearest_lap(next.road.s, told);
         let next = along_lane(told, next);
         let step = next_t - t;
@@ -81,7 +83,13 @@ fn future(trace: &Trace, actor: usize, lane: LaneFrame<'_>) -> Trajectory {
         (t, body) = (next_t, next);
     }
     let (end, last) = (t, body);
-    along.push(Along::constant_accel(end, last.s, last.s_rate, 0.0));
+    let stands = |piece: &Along| {
+        let moves = [piece.s_rate, piece.s_half_accel, piece.v, piece.v_rate];
+        piece.s == last.s && last.s_rate == 0.0 && moves == [0.0; 4]
+    };
+    if !along.last().is_some_and(stands) {
+        along.push(Along::constant_accel(end, last.s, last.s_rate, 0.0));
+    }
     let keeps = |piece: &Across| piece.d == last.d && piece.d_rate == 0.0;
     if !across.last().is_some_and(keeps) {
         across.push(Across {
@@ -90,11 +98,15 @@ fn future(trace: &Trace, actor: usize, lane: LaneFrame<'_>) -> Trajectory {
             d_rate: 0.0,
         });
     }
-    let boxes = trace.course(actor);
+    let boxes = || trace.course(actor).map(|(t, body)| (t.seconds(), body));
     Trajectory {
         along,
         across,
-        extents: extents::extents(boxes.map(|(t, body)| (t.seconds(), body))),
+        extents: if turns {
+            extents::extents(boxes())
+        } else {
+            Vec::new()
+        },
         known_until: end,
     }
 }

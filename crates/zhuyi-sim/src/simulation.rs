@@ -274,13 +274,6 @@ fn spelt(purpose: Purpose, scenario: &Scenario, system: &System) -> String {
         Purpose::Phase(id) => format!("phase of {}", camera(id)),
         Purpose::Latency(id) => format!("latencies of {}", camera(id)),
         Purpose::Loss(id) => format!("losses of {}", camera(id)),
-        Purpose::Heading(id, actor) => {
-            format!(
-                "headings of {} by {}",
-                scenario.actors[actor.index()].name,
-                camera(id)
-            )
-        }
         Purpose::Detection(id, actor) => {
             format!(
                 "detections of {} by {}",

@@ -100,7 +100,7 @@ impl Trace {
     }
 
     /// An actor at each row, from the first on.
-    pub(crate) fn course(&self, actor: usize) -> impl Iterator<Item = (SimTime, &Body)> + Clone {
+    pub(crate) fn course(&self, actor: usize) -> impl Iterator<Item = (SimTime, &Body)> {
         let bodies = self.bodies.iter().skip(1 + actor).step_by(self.names.len());
         self.times.iter().copied().zip(bodies)
     }

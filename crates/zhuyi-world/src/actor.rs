@@ -47,7 +47,7 @@ pub struct Mover {
     lane_change: LaneChange,
     /// Where it has come to rest across the road; none in a lane change.
     settled: Option<Lateral>,
-    /// [s] τ, the clock of lane changes.
+    /// [s] τ, the clock of lane changes; it stands between them.
     moving: f64,
     /// How many manoeuvres have begun.
     begun: usize,
@@ -106,6 +106,7 @@ impl Mover {
     }
 
     /// Ends the manoeuvres that have reached their goals at `time` [s], its present one.
+    #[inline]
     pub fn look(&mut self, time: f64) {
         let (change, moving) = (&self.lane_change, self.moving);
         let (drive, speed) = (self.drive, self.speed);
@@ -141,8 +142,9 @@ impl Mover {
     /// Moves on by `dt` seconds, at whose end its [`Mover::body`] is at `s` [m], on a ring in any lap.
     pub fn arrive(&mut self, s: f64, road: &Road, dt: f64) {
         self.s = road.nearest_lap(s, self.s);
-        self.moving = self.moving_after(dt);
+        // Between lane changes their clock may stand.
         if self.settled.is_none() {
+            self.moving = self.moving_after(dt);
             self.settled = self.lane_change.settled(self.moving);
         }
         self.speed = (self.speed + self.accel * dt).max(0.0);

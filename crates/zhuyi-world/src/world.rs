@@ -160,13 +160,14 @@ impl<'a> World<'a> {
 
     fn fill(&self, time: SimTime, ego: &Ego, bodies: &mut Vec<Body>) {
         let dt = (time - self.before).seconds();
+        let movers = self.actors.iter().zip(&self.movers);
         bodies.clear();
-        bodies.extend(
-            self.actors
-                .iter()
-                .zip(&self.movers)
-                .map(|(a, m)| beside(ego.road.s, m.body(a.footprint, self.road, dt), self.road)),
-        );
+        bodies.extend(movers.map(|(a, m)| m.body(a.footprint, self.road, dt)));
+        if self.road.lap().is_some() {
+            for body in bodies {
+                body.road.s = self.road.nearest_lap(body.road.s, ego.road.s);
+            }
+        }
     }
 
     /// The ego at an instant of the last step.

@@ -222,6 +222,9 @@ impl Road {
     /// [1/m] curvature of the reference line, positive to the left; where two segments meet, that of the second.
     #[inline]
     pub fn curvature(&self, s: f64) -> f64 {
+        if self.is_straight() {
+            return 0.0;
+        }
         let (s, _) = self.in_first_lap(s);
         let piece = self.piece(s);
         piece.curvature(s - piece.start)
@@ -323,6 +326,15 @@ impl Road {
     /// The same, with the curvature there [1/m].
     #[inline]
     pub fn pose_and_curvature(&self, place: Frenet) -> (Pose, f64) {
+        if self.is_straight() {
+            let line = &self.pieces[0];
+            return (line.beside_line(place.s - line.start, place.d), 0.0);
+        }
+        self.pose_and_curvature_of_bends(place)
+    }
+
+    /// The same of a road that is not all one line.
+    fn pose_and_curvature_of_bends(&self, place: Frenet) -> (Pose, f64) {
         let (s, lap) = self.in_first_lap(place.s);
         let piece = self.piece(s);
         let u = s - piece.start;

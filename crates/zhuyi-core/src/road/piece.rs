@@ -155,14 +155,25 @@ impl Piece {
     /// World pose at `u` along and `d` to the left of the curve.
     #[inline]
     pub(super) fn pose(&self, u: f64, d: f64) -> Pose {
-        let (x, y, turned) = match &self.shape {
-            Shape::Line => (u, d, 0.0),
+        match &self.shape {
+            Shape::Line => self.beside_line(u, d),
             curve => {
                 let pose = curve.pose(u);
                 let place = pose.offset(0.0, d);
-                (place.x, place.y, pose.heading)
+                self.placed(place.x, place.y, pose.heading)
             }
-        };
+        }
+    }
+
+    /// The same of a piece that is known to be a line.
+    #[inline]
+    pub(super) fn beside_line(&self, u: f64, d: f64) -> Pose {
+        self.placed(u, d, 0.0)
+    }
+
+    /// World pose of a place in the frame of the curve.
+    #[inline]
+    fn placed(&self, x: f64, y: f64, turned: f64) -> Pose {
         Pose::new(
             self.origin.x + (x * self.cos - y * self.sin),
             self.origin.y + (x * self.sin + y * self.cos),

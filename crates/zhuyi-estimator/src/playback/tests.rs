@@ -188,6 +188,9 @@ fn play(recordings: u32, turning: bool) -> Counts {
         let restless = [0.0, 0.02, 0.5, 5.0][rng.random_range(0..4)];
         // Of no such steps as put the ego on the very border of the corridor.
         let drift = [0.0, 0.0, 5.1e-4, -0.021_37][rng.random_range(0..4)];
+        // In a bend it turns against the road, and with it its box.
+        let (mut car, mut yaw) = (CAR, 0.0);
+        let yaw_rate = [0.0, 0.0, 1e-3, -0.05][rng.random_range(0..4)];
         // Now and then it creeps, at the border of standing.
         if rng.random_range(0..8) == 0 {
             ego.speed = rng.random_range(0.0..0.2);
@@ -224,6 +227,8 @@ fn play(recordings: u32, turning: bool) -> Counts {
             ego.s += step * (ego.speed + step * ego.accel / 2.0).max(0.0);
             ego.speed = (ego.speed + step * ego.accel).max(0.0);
             ego.d += drift * step / 0.01;
+            yaw += yaw_rate * step;
+            ego.footprint = car.turned(yaw);
             ego.accel = (ego.accel + restless * rng.random_range(-1.0..1.0)).clamp(-8.0, 3.0);
             match rng.random_range(0..400) {
                 0 => ego.d = rng.random_range(-1.0..1.0),
@@ -233,7 +238,7 @@ fn play(recordings: u32, turning: bool) -> Counts {
                     ego.s -= rng.random_range(0.0..15.0);
                     ego.speed += rng.random_range(0.0..3.0);
                 }
-                5 => ego.footprint.length = rng.random_range(3.0..12.0),
+                5 => car.length = rng.random_range(3.0..12.0),
                 6 => ego.speed = rng.random_range(0.0..0.2),
                 3 => current_latency = rng.random_range(0.02..0.5),
                 _ => {}
@@ -252,7 +257,7 @@ fn law_what_is_played_is_what_is_asked_at_each_step() {
         "{counts:?}"
     );
     assert!(
-        counts.by_proof > 70_000 && counts.by_proof < counts.tolerable,
+        counts.by_proof > 50_000 && counts.by_proof < counts.tolerable,
         "{counts:?}"
     );
 }

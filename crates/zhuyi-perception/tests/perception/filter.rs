@@ -9,14 +9,14 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use zhuyi_core::{Scene, SimTime};
 use zhuyi_perception::axis::{Axis, FIRST_ACCEL_DEVIATION, Measurement};
-use zhuyi_perception::stream::normal_pair;
+use zhuyi_perception::normal;
 use zhuyi_perception::{Eye, Perception};
 
 const NOISE: (f64, f64) = (0.1, 0.05);
 const JERK_DENSITY: f64 = 2.0;
 
 fn normal(rng: &mut ChaCha8Rng) -> f64 {
-    normal_pair(rng.random(), rng.random()).0
+    normal::normal(rng.random())
 }
 
 fn measure(truth: &Vector3<f64>, rng: &mut ChaCha8Rng) -> Measurement {

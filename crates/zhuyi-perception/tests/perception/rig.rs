@@ -90,9 +90,6 @@ pub fn draws(seed: u64) -> impl FnMut(Purpose) -> ChaCha8Rng {
             Purpose::Detection(camera, actor) => {
                 1000 * (u64::from(camera.0) + 1) + u64::from(actor.0)
             }
-            Purpose::Heading(camera, actor) => {
-                3_000_000 + 1000 * u64::from(camera.0) + u64::from(actor.0)
-            }
             Purpose::Latency(camera) => 1_000_000 + u64::from(camera.0),
             Purpose::Loss(camera) => 2_000_000 + u64::from(camera.0),
         };

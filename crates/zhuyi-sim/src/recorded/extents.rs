@@ -126,14 +126,8 @@ impl Line {
     }
 }
 
-/// The lines through the rows of a body; empty where it never turns.
-pub(super) fn extents<'a>(bodies: impl Iterator<Item = (f64, &'a Body)> + Clone) -> Vec<Extent> {
-    if bodies
-        .clone()
-        .all(|(_, body)| body.extent == body.footprint)
-    {
-        return Vec::new();
-    }
+/// Returns the lines through the rows of a body.
+pub(super) fn extents<'a>(bodies: impl Iterator<Item = (f64, &'a Body)>) -> Vec<Extent> {
     let mut rows = bodies.map(|(time, body)| Row {
         time,
         along: body.extent.length / 2.0,
@@ -213,8 +207,8 @@ mod tests {
     }
 
     #[test]
-    fn hand_a_box_that_keeps_aligned_has_none_and_one_that_stands_askew_has_one() {
-        assert_eq!(lines(|_| 0.0).0, []);
+    fn hand_a_box_that_stands_as_it_does_has_one_line() {
+        assert_eq!(lines(|_| 0.0).0, [Extent::held(LORRY)]);
         assert_eq!(lines(|_| 0.5).0, [Extent::held(LORRY.turned(0.5))]);
     }
 
