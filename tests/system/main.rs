@@ -11,6 +11,7 @@
 //! | `knowledge` | the planner acts on confirmed tracks alone |
 //! | `rings` | closed roads: a car that stands on one is braked for as on a straight road, laps change nothing |
 //! | `turned` | boxes that stand askew, and gaps along lanes in bends |
+//! | `rogue_policies` | a policy that gives what no camera may have, or more than there is, is an error that names the run |
 //! | `scheduling` | every policy drives within its budget; the estimate in the loop |
 //!
 //! The command itself is tested in `crates/zhuyi-cli/tests`, where Cargo hands over the real binary.
@@ -26,6 +27,7 @@ mod physics;
 mod processors;
 mod repeatable;
 mod rings;
+mod rogue_policies;
 mod scheduling;
 mod turned;
 

@@ -41,9 +41,9 @@ pub enum Error {
     /// `--check` found something.
     #[error("{0}")]
     Unmet(String),
-    /// The policy failed in the middle of a drive.
+    /// The policy made no decision in the middle of a drive.
     #[error("the policy failed")]
-    Policy(#[from] zhuyi_scheduler::PolicyError),
+    Policy(#[from] zhuyi_sim::DecisionError),
     /// Ctrl-C cannot be caught.
     #[error("cannot listen for Ctrl-C")]
     Signals(#[from] ctrlc::Error),

@@ -22,8 +22,8 @@ pub mod tally;
 use rayon::prelude::*;
 use zhuyi_core::FrameRates;
 use zhuyi_scenario::{Scenario, System};
-use zhuyi_scheduler::{Chip, Compute, NAMES, PolicyError};
-use zhuyi_sim::{Draws, Simulation, known_future};
+use zhuyi_scheduler::{Chip, Compute, NAMES};
+use zhuyi_sim::{DecisionError, Draws, Simulation, known_future};
 
 use crate::parallel::one_by_one;
 use crate::progress::Progress;
@@ -184,7 +184,7 @@ impl Allocating {
         system: &System,
         policy: (&str, f64),
         progress: &dyn Progress,
-    ) -> Result<Tally, PolicyError> {
+    ) -> Result<Tally, DecisionError> {
         let one = |(scenario, seed): &(usize, u64)| {
             let draws = self.draws(*scenario, *seed);
             let driven = drive::drive(&self.scenarios[*scenario], system, draws, policy, &[]);
@@ -209,7 +209,7 @@ impl Allocating {
 ///
 /// # Panics
 /// If a policy has no known name, or there is no budget, policy, scenario or seed.
-pub fn allocate(plan: &Allocating, progress: &dyn Progress) -> Result<Allocated, PolicyError> {
+pub fn allocate(plan: &Allocating, progress: &dyn Progress) -> Result<Allocated, DecisionError> {
     let budgets = plan.budgets();
     let futures = futures(plan, progress);
     let found = if plan.policies.iter().any(|policy| policy == BEST_STATIC) {
@@ -243,7 +243,8 @@ pub fn allocate(plan: &Allocating, progress: &dyn Progress) -> Result<Allocated,
         progress.step();
         driven
     };
-    let driven: Result<Vec<Driven>, PolicyError> = one_by_one(&jobs).enumerate().map(one).collect();
+    let driven: Result<Vec<Driven>, DecisionError> =
+        one_by_one(&jobs).enumerate().map(one).collect();
     let cell = |drives: &[Driven]| Cell {
         drives: drives
             .chunks(plan.seeds as usize)

@@ -14,8 +14,11 @@
 //! that is there, and all get the same. Source: the block "Work prioritization" of the paper's section on a
 //! Zhuyi-based system, which leaves budget and limits open. Left out: what a change of rates costs.
 
-use crate::error::PolicyError;
+use crate::error::{PolicyError, RateLimit};
 use crate::sharing;
+
+/// [Hz] what rounding may add to each rate.
+const ROUNDING: f64 = 1e-9;
 
 /// What a policy knows when it decides.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,6 +87,67 @@ impl Situation<'_> {
     /// [Hz] the least that every camera gets, `min(1, budget / cameras)`.
     pub fn floor(&self) -> f64 {
         sharing::floor(self.budget, self.cameras.len())
+    }
+
+    /// Lets `policy` decide and checks its answer: the one way by which rates come from a policy into a run.
+    ///
+    /// A policy that gives more than there is, no number, or no rate to some camera is refused:
+    /// ```
+    /// use zhuyi_scheduler::{CameraState, Demands, Policy, PolicyError, Situation};
+    /// struct Greedy;
+    /// impl Policy for Greedy {
+    ///     fn name(&self) -> &str {
+    ///         "greedy"
+    ///     }
+    ///     fn decide(&mut self, _: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
+    ///         rates.fill(30.0);
+    ///         Ok(())
+    ///     }
+    /// }
+    /// let camera = |name| CameraState { name, rate: 5.0, demands: Demands::all(1.0), importance: 0.0 };
+    /// let situation = Situation { time: 0.0, budget: 10.0, ego_speed: 20.0, cameras: &[camera("left"), camera("right")] };
+    /// let refused = situation.decided_by(&mut Greedy, &mut [0.0; 2]).unwrap_err();
+    /// assert_eq!(refused.to_string(), "`greedy` gives 60 frames per second altogether, with a budget of 10");
+    /// ```
+    ///
+    /// # Errors
+    /// If the situation makes no sense, the policy has no answer, or its rates break [`Situation::check_rates`].
+    pub fn decided_by(
+        &self,
+        policy: &mut dyn Policy,
+        rates: &mut [f64],
+    ) -> Result<(), PolicyError> {
+        self.check(rates)?;
+        rates.fill(f64::NAN);
+        policy.decide(self, rates)?;
+        self.check_rates(rates, ROUNDING)
+            .map_err(|limit| PolicyError::Rates {
+                policy: policy.name().to_string(),
+                limit,
+            })
+    }
+
+    /// Checks rates, one per camera in the order of the rig, against the limits, with a slack [Hz] for each camera.
+    ///
+    /// # Errors
+    /// If a rate is not in [floor, 30], or their sum is above the budget.
+    pub fn check_rates(&self, rates: &[f64], slack: f64) -> Result<(), RateLimit> {
+        let (floor, cap) = (self.floor(), sharing::CAP);
+        for (camera, got) in self.cameras.iter().zip(rates) {
+            if !(floor - slack..=cap + slack).contains(got) {
+                return Err(RateLimit::Range {
+                    camera: camera.name.to_string(),
+                    got: *got,
+                    floor,
+                    cap,
+                });
+            }
+        }
+        let (sum, budget) = (rates.iter().map(|rate| rate.max(floor)).sum(), self.budget);
+        if sum > budget + slack * rates.len() as f64 {
+            return Err(RateLimit::Budget { sum, budget });
+        }
+        Ok(())
     }
 
     /// Whether a policy can decide at all: every policy asks this first.
@@ -193,8 +257,8 @@ pub trait Policy: Send {
         LooksAt::ALL
     }
 
-    /// Fills `rates`, one per camera in the order of the rig. After `Ok` every rate is finite and in [floor, 30],
-    /// and their sum is at most the budget (plus 1e-9).
+    /// Fills `rates`, one per camera in the order of the rig. After `Ok` every rate is in [floor, 30] and their sum at most the
+    /// budget, which [`Situation::decided_by`] checks.
     ///
     /// # Errors
     /// If the situation makes no sense, or the policy has no answer to it.

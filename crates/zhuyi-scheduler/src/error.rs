@@ -2,6 +2,31 @@
 
 use crate::policies::exec::ProgramError;
 
+/// A limit on the rates that a policy gives, broken.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum RateLimit {
+    /// A rate that no camera may have, or none at all.
+    #[error("gives `{camera}` {got} frames per second, outside {floor} to {cap}")]
+    Range {
+        /// The camera.
+        camera: String,
+        /// [Hz] its rate.
+        got: f64,
+        /// [Hz] the least.
+        floor: f64,
+        /// [Hz] the most.
+        cap: f64,
+    },
+    /// More than there is.
+    #[error("gives {sum} frames per second altogether, with a budget of {budget}")]
+    Budget {
+        /// [Hz] sum of the rates, with the least for every camera.
+        sum: f64,
+        /// [Hz] the budget.
+        budget: f64,
+    },
+}
+
 /// Why a policy gives no rates.
 #[derive(Debug, thiserror::Error)]
 pub enum PolicyError {
@@ -55,27 +80,13 @@ pub enum PolicyError {
         /// The names that there are.
         rig: Vec<String>,
     },
-    /// A static rate lies outside what a camera may have.
-    #[error("`{policy}` gives `{camera}` {got} frames per second, outside {floor} to 30")]
-    StaticRate {
+    /// The policy's rates break the limits.
+    #[error("`{policy}` {limit}")]
+    Rates {
         /// The policy.
         policy: String,
-        /// The camera.
-        camera: String,
-        /// [Hz] the rate.
-        got: f64,
-        /// [Hz] the least under this budget.
-        floor: f64,
-    },
-    /// A static allocation does not fit the budget.
-    #[error("`{policy}` needs at least {needed} frames per second, and the budget is {budget}")]
-    StaticOverBudget {
-        /// The policy.
-        policy: String,
-        /// [Hz] its sum, with the floor for cameras that it does not name.
-        needed: f64,
-        /// [Hz] what there is.
-        budget: f64,
+        /// The limit that they break.
+        limit: RateLimit,
     },
     /// A program of the user failed.
     #[error(transparent)]

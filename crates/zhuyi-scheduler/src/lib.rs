@@ -67,6 +67,6 @@ pub mod sharing;
 
 pub use chip::{Chip, Compute, Discipline};
 pub use decision::{CameraState, Demands, LooksAt, Policy, Situation};
-pub use error::PolicyError;
+pub use error::{PolicyError, RateLimit};
 pub use policies::{NAMES, UnknownPolicy, policy};
 pub use queue::{Accelerator, Queued};

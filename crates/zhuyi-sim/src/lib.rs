@@ -39,7 +39,7 @@ pub use notes::{Note, notes};
 pub use offline::{Hindsight, Peak, Peaks};
 pub use online::{Asked, Online};
 pub use outcome::{Collision, Extremes, Frames, Outcome, Run};
-pub use scheduled::{Allocation, Scheduled, equal_parts, known_future};
+pub use scheduled::{Allocation, DecisionError, Scheduled, equal_parts, known_future};
 pub use simulation::{STEP, Simulation};
 pub use surroundings::{believed, surroundings};
 pub use trace::Trace;

@@ -34,10 +34,27 @@ pub struct Allocation {
     pub budget: f64,
 }
 
+/// A decision that a policy did not make: when, in which run, and why.
+#[derive(Debug, thiserror::Error)]
+#[error("{scenario}, seed {seed}, at {time:.3} s: {error}")]
+pub struct DecisionError {
+    /// The scenario's name.
+    pub scenario: String,
+    /// The seed of the run.
+    pub seed: u64,
+    /// [s] time of the decision.
+    pub time: f64,
+    /// What is wrong; it names the policy.
+    #[source]
+    pub error: PolicyError,
+}
+
 /// A run with the estimate, and if wanted the rates, in the loop.
 pub struct Scheduled<'a> {
     simulation: Simulation<'a>,
     system: &'a System,
+    /// Name of the scenario, and the seed.
+    run: (&'a str, u64),
     online: Online<'a>,
     allocation: Option<Allocation>,
     due: SimTime,
@@ -108,6 +125,7 @@ impl<'a> Scheduled<'a> {
         Self {
             simulation: Simulation::new(scenario, system, rates, draws),
             system,
+            run: (&scenario.name, draws.seed),
             online: Online::new(system, &scenario.road).looked_at(LooksAt::PAPER),
             allocation: None,
             due: SimTime::ZERO,
@@ -134,11 +152,17 @@ impl<'a> Scheduled<'a> {
     /// The run and what was asked for at every decision.
     ///
     /// # Errors
-    /// If the policy fails, which only a program of the user's can.
-    pub fn run(mut self) -> Result<(Run, Vec<Asked>), PolicyError> {
+    /// If the policy has no answer, or its rates break the limits ([`Situation::decided_by`]).
+    pub fn run(mut self) -> Result<(Run, Vec<Asked>), DecisionError> {
         let mut contact = None;
         while contact.is_none() && !self.simulation.is_over() {
-            self.decide()?;
+            let time = self.simulation.time().seconds();
+            self.decide().map_err(|error| DecisionError {
+                scenario: self.run.0.to_string(),
+                seed: self.run.1,
+                time,
+                error,
+            })?;
             contact = self.simulation.tick();
         }
         Ok((self.simulation.finish(contact), self.asked))
@@ -204,7 +228,7 @@ impl<'a> Scheduled<'a> {
             ego_speed,
             cameras: &cameras,
         };
-        policy.decide(&situation, &mut asked.granted)
+        situation.decided_by(&mut **policy, &mut asked.granted)
     }
 
     /// Raises the alarms, and the rates where that is the response.

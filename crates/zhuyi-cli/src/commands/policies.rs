@@ -41,7 +41,8 @@ pub fn look_at(name: &str, budget: f64, system: &System, problems: &mut Problems
         ego_speed: 0.0,
         cameras: &cameras,
     };
-    if let Err(error) = policy.decide(&situation, &mut vec![0.0; cameras.len()]) {
+    let mut rates = vec![0.0; cameras.len()];
+    if let Err(error) = situation.decided_by(&mut *policy, &mut rates) {
         let argument = Argument::new("--policy", name);
         argument.refuse(&argument.all(), Fault::Unfit(error.to_string()), problems);
     }

@@ -4,9 +4,9 @@
 //! m/s3. An alarm speaks [`HORIZON`] ahead. Left out: lateral jerk.
 
 use zhuyi_scenario::{Scenario, System};
+use zhuyi_scheduler::policy;
 use zhuyi_scheduler::score::{Score, score};
-use zhuyi_scheduler::{PolicyError, policy};
-use zhuyi_sim::{Allocation, Asked, Draws, Frames, Outcome, Run, STEP, Scheduled};
+use zhuyi_sim::{Allocation, Asked, DecisionError, Draws, Frames, Outcome, Run, STEP, Scheduled};
 
 /// [s] X: a collision that comes later than this after an alarm was not what it spoke of.
 pub const HORIZON: f64 = 3.0;
@@ -50,7 +50,7 @@ pub fn drive(
     draws: Draws<'_>,
     (name, budget): (&str, f64),
     future: &[Vec<f64>],
-) -> Result<Driven, PolicyError> {
+) -> Result<Driven, DecisionError> {
     let policy = policy(name).unwrap_or_else(|unknown| panic!("{unknown}"));
     let allocation = Allocation { policy, budget };
     let scheduled = Scheduled::new(scenario, system, draws, allocation);

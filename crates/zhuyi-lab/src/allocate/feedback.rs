@@ -10,8 +10,8 @@
 //! demand and no more, under both readings of l_0.
 
 use zhuyi_scenario::System;
-use zhuyi_scheduler::{PolicyError, policy};
-use zhuyi_sim::{Allocation, Scheduled};
+use zhuyi_scheduler::policy;
+use zhuyi_sim::{Allocation, DecisionError, Scheduled};
 
 use super::tally::Tally;
 use super::{Allocating, Budgets};
@@ -46,7 +46,7 @@ pub struct Feedback {
 pub(super) fn feedback(
     plan: &Allocating,
     progress: &dyn Progress,
-) -> Result<Option<Feedback>, PolicyError> {
+) -> Result<Option<Feedback>, DecisionError> {
     let Budgets::Fps(budgets) = &plan.budgets else {
         return Ok(None);
     };
@@ -66,7 +66,7 @@ pub(super) fn feedback(
             let tally = |system| plan.tally(system, (IN_TABLE, *budget), progress);
             Ok((*budget, [tally(fixed)?, tally(literal)?]))
         })
-        .collect::<Result<_, PolicyError>>()?;
+        .collect::<Result<_, DecisionError>>()?;
     Ok(Some(Feedback {
         comparison: comparison(plan, &systems)?,
         collisions,
@@ -75,11 +75,11 @@ pub(super) fn feedback(
 
 /// The drives of seed 0 in which the demands under both readings lie furthest apart in the mean over the time that both
 /// last.
-fn comparison(plan: &Allocating, systems: &[System; 2]) -> Result<Comparison, PolicyError> {
+fn comparison(plan: &Allocating, systems: &[System; 2]) -> Result<Comparison, DecisionError> {
     let eyes = &plan.system.perception.eyes;
     let camera = eyes.iter().position(|eye| eye.camera.analysed);
     let camera = camera.unwrap_or_default();
-    let points = |scenario: usize, system: &System| -> Result<Points, PolicyError> {
+    let points = |scenario: usize, system: &System| -> Result<Points, DecisionError> {
         let allocation = Allocation {
             policy: policy(POLICY).unwrap_or_else(|unknown| panic!("{unknown}")),
             budget: PLENTY,

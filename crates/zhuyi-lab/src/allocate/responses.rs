@@ -4,8 +4,8 @@
 //! the plan that leave something to mend: [`SCARCE`] at most. An alarm that is heeded prevents the collision that would
 //! have proved it, so alarms are scored where they change nothing, and responses by the collisions that are left.
 
-use zhuyi_scheduler::PolicyError;
 use zhuyi_scheduler::safety::Response;
+use zhuyi_sim::DecisionError;
 
 use super::tally::Tally;
 use super::{Allocating, Budgets};
@@ -48,7 +48,7 @@ pub struct Answered {
 pub(super) fn answered(
     plan: &Allocating,
     progress: &dyn Progress,
-) -> Result<Vec<Answered>, PolicyError> {
+) -> Result<Vec<Answered>, DecisionError> {
     let Budgets::Fps(budgets) = &plan.budgets else {
         return Ok(Vec::new());
     };

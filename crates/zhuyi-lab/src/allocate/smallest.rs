@@ -7,8 +7,7 @@
 //! assumption about what is not seen yet ([`phantom-only`](zhuyi_scheduler::policies::phantom_only)).
 
 use zhuyi_scenario::{Scenario, Source};
-use zhuyi_scheduler::PolicyError;
-use zhuyi_sim::Draws;
+use zhuyi_sim::{DecisionError, Draws};
 
 use super::drive::{Driven, drive};
 use super::tally::Tally;
@@ -35,7 +34,7 @@ pub struct Smallest {
 }
 
 /// All seeds of the plan. None where budgets are those of an accelerator, or the system is one that cannot start there.
-pub(super) fn smallest(plan: &Allocating) -> Result<Vec<Smallest>, PolicyError> {
+pub(super) fn smallest(plan: &Allocating) -> Result<Vec<Smallest>, DecisionError> {
     let source = Source::new("one-standing-car.ron", FILE);
     let scenario = Scenario::read(&source, &plan.system, &[]);
     let (Budgets::Fps(_), Ok(scenario)) = (&plan.budgets, scenario) else {

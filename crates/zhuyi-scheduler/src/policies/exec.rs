@@ -89,32 +89,18 @@ impl Exec {
 /// What is wrong with it.
 pub fn judge(line: &[u8], situation: &Situation<'_>) -> Result<Vec<f64>, Fault> {
     let mut rates = protocol::answer(line).map_err(Fault::NotAnAnswer)?;
-    let (floor, cap) = (situation.floor(), sharing::CAP);
     if rates.len() != situation.cameras.len() {
         return Err(Fault::Count {
             got: rates.len(),
             cameras: situation.cameras.len(),
         });
     }
-    for (camera, got) in situation.cameras.iter().zip(&rates) {
-        if !(floor - PRINTED..=cap + PRINTED).contains(got) {
-            return Err(Fault::Rate {
-                camera: camera.name.to_string(),
-                got: *got,
-                floor,
-                cap,
-            });
-        }
-    }
+    situation.check_rates(&rates, PRINTED)?;
     for rate in &mut rates {
-        *rate = rate.clamp(floor, cap);
+        *rate = rate.clamp(situation.floor(), sharing::CAP);
     }
-    let (sum, budget) = (rates.iter().sum::<f64>(), situation.budget);
-    if sum > budget + PRINTED * rates.len() as f64 {
-        return Err(Fault::OverBudget { sum, budget });
-    }
-    if sum > budget {
-        rates = sharing::cut(&rates, budget);
+    if rates.iter().sum::<f64>() > situation.budget {
+        rates = sharing::cut(&rates, situation.budget);
     }
     Ok(rates)
 }

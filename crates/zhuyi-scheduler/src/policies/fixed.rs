@@ -14,9 +14,6 @@ use crate::policies::UnknownPolicy;
 use crate::sharing;
 use crate::{LooksAt, Policy, PolicyError, Situation};
 
-/// [Hz] by how much given rates may exceed the budget: the rounding of their sum.
-const ROUNDING: f64 = 1e-9;
-
 /// Rates that never change.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Static {
@@ -107,26 +104,8 @@ impl Policy for Static {
         situation.check(rates)?;
         let assigned = self.assigned(situation)?;
         let (floor, budget) = (situation.floor(), situation.budget);
-        for (camera, hz) in situation.cameras.iter().zip(&assigned) {
-            if let Some(got) = hz.filter(|hz| *hz < floor) {
-                return Err(PolicyError::StaticRate {
-                    policy: self.name.clone(),
-                    camera: camera.name.to_string(),
-                    got,
-                    floor,
-                });
-            }
-        }
         let given: f64 = assigned.iter().flatten().sum();
         let others = assigned.iter().filter(|hz| hz.is_none()).count();
-        let needed = given + others as f64 * floor;
-        if needed > budget + ROUNDING {
-            return Err(PolicyError::StaticOverBudget {
-                policy: self.name.clone(),
-                needed,
-                budget,
-            });
-        }
         let share = ((budget - given) / others as f64).clamp(floor, sharing::CAP);
         for (rate, hz) in rates.iter_mut().zip(assigned) {
             *rate = hz.unwrap_or(share);

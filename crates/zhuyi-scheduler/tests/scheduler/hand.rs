@@ -129,7 +129,7 @@ fn hand_static_refuses_what_it_cannot_do() {
     // 2 x 10 and the floor of 1 for the left one.
     assert_eq!(
         refused("static:front=10", 20.5),
-        "`static:front=10` needs at least 21 frames per second, and the budget is 20.5"
+        "`static:front=10` gives 21 frames per second altogether, with a budget of 20.5"
     );
     assert_eq!(
         refused("static:left=0.5", 30.0),

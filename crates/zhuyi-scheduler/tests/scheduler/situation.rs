@@ -48,8 +48,8 @@ impl Scene {
             ego_speed: self.ego_speed,
             cameras: &self.cameras,
         };
-        let mut rates = vec![f64::NAN; self.cameras.len()];
-        policy.decide(&situation, &mut rates).map(|()| rates)
+        let mut rates = vec![0.0; self.cameras.len()];
+        situation.decided_by(policy, &mut rates).map(|()| rates)
     }
 }
 

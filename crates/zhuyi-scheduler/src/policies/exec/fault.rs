@@ -4,6 +4,8 @@ use std::fmt;
 use std::io;
 use std::process::ExitStatus;
 
+use crate::error::RateLimit;
+
 /// A program that gave no usable answer: which, when, what was wrong, and the line that it wrote, if any.
 #[derive(Debug, thiserror::Error)]
 #[error("the program `{program}`, asked at {time:.3} s, {fault}{}", Got(line.as_deref()))]
@@ -54,26 +56,9 @@ pub enum Fault {
         /// Numbers needed.
         cameras: usize,
     },
-    /// A rate that no camera may have.
-    #[error("gives `{camera}` {got} frames per second, outside {floor} to {cap}")]
-    Rate {
-        /// The camera.
-        camera: String,
-        /// [Hz] its rate.
-        got: f64,
-        /// [Hz] the least.
-        floor: f64,
-        /// [Hz] the most.
-        cap: f64,
-    },
-    /// More than there is.
-    #[error("gives {sum} frames per second altogether, with a budget of {budget}")]
-    OverBudget {
-        /// [Hz] sum of the rates.
-        sum: f64,
-        /// [Hz] what there is.
-        budget: f64,
-    },
+    /// Its rates break a limit.
+    #[error(transparent)]
+    Rates(#[from] RateLimit),
     /// It was given up earlier in this run.
     #[error("has failed before in this run and is not asked again")]
     GivenUp,
