@@ -34,11 +34,11 @@ fn manifests() -> BTreeMap<String, BTreeSet<String>> {
     arrows
 }
 
-/// The same from the table in README.md: rows `| zhuyi-x | what | core, world |`.
+/// The same from the table in README.md: rows `| zhuyi-x | what | core, world |`, and one for `zhuyi`.
 fn table() -> BTreeMap<String, BTreeSet<String>> {
     let readme = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md"))
         .expect("README.md");
-    let rows = readme.lines().filter(|line| line.starts_with("| `zhuyi-"));
+    let rows = readme.lines().filter(|line| line.starts_with("| `zhuyi"));
     rows.map(|row| {
         let cells: Vec<_> = row.split('|').map(str::trim).collect();
         let on = cells[3].split(", ").filter(|c| !c.is_empty() && *c != "-");
