@@ -2,7 +2,8 @@
 //!
 //! | file | what it shows |
 //! |---|---|
-//! | `architecture` | the arrows between the crates are those of README's table |
+//! | `architecture` | the arrows between the crates are those of docs/architecture.md |
+//! | `circles` | import circles inside crates are those of docs/architecture.md |
 //! | `criteria` | what the nine ask for under each criterion of the estimator (`--ignored`) |
 //! | `cut_out` | the side actors block the evasion; the lead's occlusion is what the cut-out asks for |
 //! | `repeatable` | the same run gives the same bits; runs that differ in rates alone share their draws |
@@ -20,6 +21,7 @@
 #![allow(clippy::print_stdout)] // A skipped test says so.
 
 mod architecture;
+mod circles;
 mod criteria;
 mod cut_out;
 mod knowledge;

@@ -32,7 +32,7 @@ use crate::estimators::{TABLE, VARIANTS as TABLES};
 use crate::parallel::one_by_one;
 use crate::progress::Progress;
 use crate::rates::uniform;
-use crate::reproduce::Plan;
+use crate::reproduce::plan::Plan;
 use crate::results::Results;
 use crate::robustness::scan;
 

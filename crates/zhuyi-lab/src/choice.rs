@@ -9,8 +9,8 @@
 
 use zhuyi_scenario::{Invalid, Scenario, Setting, Source, System, load};
 
+use crate::distances::scaled;
 use crate::rates::group;
-use crate::robustness::scaled;
 
 /// The name of the factor on distances.
 pub const DISTANCES: &str = "distances";

@@ -18,55 +18,14 @@ mod sensitivity;
 mod throughput;
 mod work;
 
-use std::fmt::{self, Write as _};
+use std::fmt::Write as _;
 
+pub use crate::claim::{Claim, Verdict};
 use crate::course::{self as courses, Course};
 use crate::progress::Progress;
-use crate::reproduce::Plan;
+use crate::reproduce::plan::Plan;
 use crate::reruns::Reruns;
 use crate::table::Table;
-
-/// A claim and what became of it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Claim {
-    /// Its number in the reading's section 4, with a letter where it says several things: `1`, `2a`, `2b`.
-    pub number: &'static str,
-    /// What is claimed.
-    pub title: &'static str,
-    /// What became of it.
-    pub verdict: Verdict,
-    /// The figures, in one sentence without its full stop.
-    pub figures: String,
-    /// All that is to be told, in Markdown.
-    pub details: String,
-}
-
-/// What became of a claim.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// It holds.
-    Holds,
-    /// It does not.
-    Fails,
-    /// A figure to look at, without a bound to hold.
-    FigureOnly,
-}
-
-impl Verdict {
-    fn holds_if(condition: bool) -> Self {
-        if condition { Self::Holds } else { Self::Fails }
-    }
-}
-
-impl fmt::Display for Verdict {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::Holds => "holds",
-            Self::Fails => "fails",
-            Self::FigureOnly => "figure only",
-        })
-    }
-}
 
 /// Examines claims 1 to 4.
 pub fn examine(plan: &Plan, table: &Table, reruns: &Reruns) -> Vec<Claim> {

@@ -15,7 +15,7 @@ use zhuyi_sim::{Draws, Hindsight, Outcome, Simulation};
 use crate::estimators::{TABLE, VARIANTS};
 use crate::parallel::one_by_one;
 use crate::rates::uniform;
-use crate::reproduce::Plan;
+use crate::reproduce::plan::Plan;
 
 /// The scenarios that the paper shows.
 pub const SHOWN: [&str; 3] = ["cut-out-fast", "challenging-cut-in-curved", "cut-in"];

@@ -20,7 +20,7 @@ use zhuyi_sim::{Asked, Draws, Hindsight, Online, Outcome, STEP, Scheduled};
 
 use crate::parallel::one_by_one;
 use crate::rates::uniform;
-use crate::reproduce::Plan;
+use crate::reproduce::plan::Plan;
 
 /// The scenario that the paper shows.
 pub const SHOWN: &str = "cut-in";

@@ -30,12 +30,14 @@ pub mod boundary;
 #[doc = include_str!("calibration.md")]
 pub mod calibration {}
 pub mod choice;
+pub mod claim;
 pub mod claims;
 pub mod columns;
 pub mod committed;
 pub mod compare;
 pub mod course;
 pub mod diff;
+mod distances;
 pub mod error;
 pub mod estimators;
 pub mod evidence;

@@ -7,9 +7,8 @@ use serde::Serialize;
 use serde_json::Value;
 use zhuyi_scenario::Source;
 
-use crate::batch::SCHEMA;
-use crate::reproduce::Plan;
-use crate::schema;
+use crate::reproduce::plan::Plan;
+use crate::schema::{self, SCHEMA};
 
 /// The lock file of the workspace at build time.
 const LOCK: &str = include_str!("../../../Cargo.lock");

@@ -9,7 +9,7 @@ use zhuyi_sim::Peaks;
 use crate::estimators::TABLE;
 use crate::progress::Progress;
 use crate::rates::{own, round_up};
-use crate::reproduce::Plan;
+use crate::reproduce::plan::Plan;
 use crate::sweep::{Cell, Experiment, Record, grid};
 
 /// All runs done again.

@@ -8,7 +8,7 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use crate::claims::Claim;
+use crate::claim::Claim;
 use crate::error::{Attempt, LabError};
 
 /// The files of a command and what it says.

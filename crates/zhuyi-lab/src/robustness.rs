@@ -16,12 +16,11 @@ use crate::mrf::{Mrf, Required, required};
 use crate::paper;
 use crate::progress::Progress;
 use crate::rates::uniform;
-use crate::reproduce::Plan;
+use crate::reproduce::plan::Plan;
 use crate::results::Results;
 use crate::statistics::wilson_interval;
 use crate::sweep::{Experiment, grid};
 use crate::text::{cells, markdown_table};
-pub(crate) use variations::scaled;
 use variations::{Variation, variations};
 
 /// How many blocks of fresh seeds are run.

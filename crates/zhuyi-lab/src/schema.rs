@@ -5,6 +5,9 @@ use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::Value;
 
+/// Version of `plan.json`, of `manifest.json` and of the columns of `runs.csv`.
+pub const SCHEMA: u32 = 1;
+
 /// The schema of a document that is written as `T`, under a name and a version.
 ///
 /// ```

@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use crate::claims::Claim;
-use crate::reproduce::Plan;
+use crate::claim::Claim;
+use crate::reproduce::plan::Plan;
 use crate::table::{Row, Table};
 use crate::text::{cells, markdown_table};
 

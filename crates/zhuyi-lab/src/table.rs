@@ -15,7 +15,7 @@ use crate::estimators::{TABLE, VARIANTS};
 use crate::mrf::{Mrf, Required, required};
 use crate::paper;
 use crate::rates::group;
-use crate::reproduce::Plan;
+use crate::reproduce::plan::Plan;
 use crate::statistics::{mean, median};
 use crate::sweep::Record;
 

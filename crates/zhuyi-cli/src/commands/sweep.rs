@@ -5,7 +5,8 @@ use std::thread::{self, ScopedJoinHandle};
 
 use clap::Args;
 use zhuyi_lab::Progress;
-use zhuyi_lab::batch::{Batch, BatchError, Folder, Named, Plan, SCHEMA, Shard};
+use zhuyi_lab::batch::{Batch, BatchError, Folder, Named, Plan, Shard};
+use zhuyi_lab::schema::SCHEMA;
 use zhuyi_scenario::{Rule, Setting, load};
 
 use super::{Task, grid};

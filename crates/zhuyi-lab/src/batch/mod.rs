@@ -35,6 +35,6 @@ pub use blocks::{Folder, Shard};
 pub use error::BatchError;
 pub use make::Batch;
 pub use merge::{Made, Tell, merge};
-pub use plan::{Named, Plan, Run, SCHEMA, schema};
+pub use plan::{Named, Plan, Run, schema};
 pub use sample::{Distribution, Sampling, samples};
 pub use table::table;

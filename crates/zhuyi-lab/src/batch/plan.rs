@@ -9,10 +9,7 @@ use zhuyi_scenario::Source;
 
 use super::BatchError;
 use crate::columns::{Column, Kind};
-use crate::schema;
-
-/// The version of `plan.json` and of the columns of `runs.csv` beside it.
-pub const SCHEMA: u32 = 1;
+use crate::schema::{self, SCHEMA};
 
 /// The lock file of the workspace at build time: the versions of all that a run computes with.
 const LOCK: &str = include_str!("../../../../Cargo.lock");

@@ -7,7 +7,7 @@ use zhuyi_scenario::Scenario;
 
 use super::{COUNT, Edges, PHANTOMS, Peak, VARIANTS, highest};
 use crate::mrf::Required;
-use crate::reproduce::Plan;
+use crate::reproduce::plan::Plan;
 use crate::statistics::mean;
 use crate::text::{cells, markdown_table};
 

@@ -5,7 +5,7 @@ use zhuyi_core::FrameRates;
 use super::{Claim, Verdict};
 use crate::foresight::{Decision, Foresight, SHOWN, foresights, of_one_future};
 use crate::rates::{own, spelt};
-use crate::reproduce::Plan;
+use crate::reproduce::plan::Plan;
 use crate::reruns::again;
 use crate::text::{cells, markdown_table};
 

@@ -7,7 +7,7 @@ use crate::estimators::TABLE;
 use crate::mrf::Mrf;
 use crate::paper;
 use crate::rates::spelt;
-use crate::reproduce::Plan;
+use crate::reproduce::plan::Plan;
 use crate::reruns::{Reruns, Trial};
 use crate::statistics::bound_without_event;
 use crate::table::{Estimates, Row, Table};

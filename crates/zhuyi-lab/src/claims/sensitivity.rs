@@ -3,7 +3,7 @@
 use zhuyi_estimator::{Estimator, State};
 
 use super::{Claim, Verdict};
-use crate::reproduce::Plan;
+use crate::reproduce::plan::Plan;
 use crate::sensitivity::{Cell, DISTANCES, Map, maps};
 use crate::text::{cells, markdown_table};
 

@@ -2,7 +2,7 @@
 
 use super::{Claim, Verdict};
 use crate::course::Course;
-use crate::reproduce::Plan;
+use crate::reproduce::plan::Plan;
 use crate::text::{cells, markdown_table};
 use zhuyi_estimator::Estimator;
 

@@ -10,7 +10,7 @@ use crate::estimators::{TABLE, VARIANTS};
 use crate::mrf::{Mrf, required};
 use crate::progress::Progress;
 use crate::rates::uniform;
-use crate::reproduce::Plan;
+use crate::reproduce::plan::Plan;
 use crate::sweep::{Experiment, Record, grid};
 use crate::text::{cells, markdown_table};
 

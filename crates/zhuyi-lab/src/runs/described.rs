@@ -3,9 +3,9 @@
 use std::borrow::Cow;
 
 use super::Columns;
-use crate::batch::SCHEMA;
 use crate::columns::{Column, Kind, Table};
 use crate::manoeuvres;
+use crate::schema::SCHEMA;
 use Kind::{Number, Text, Truth, Whole};
 use zhuyi_estimator::State;
 

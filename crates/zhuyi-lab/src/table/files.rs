@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 
 use crate::estimators::{TABLE, VARIANTS};
 use crate::paper;
-use crate::reproduce::Plan;
+use crate::reproduce::plan::Plan;
 use crate::table::{Estimates, Row, Table, Tested};
 use crate::text::{cells, csv_row, decimals, markdown_table, spans};
 
