@@ -14,7 +14,8 @@ use std::hint::black_box;
 use rayon::ThreadPoolBuilder;
 use zhuyi_core::FrameRates;
 use zhuyi_estimator::Estimator;
-use zhuyi_lab::batch::{Batch, Named, Plan, SCHEMA};
+use zhuyi_lab::batch::{Batch, Named, Plan};
+use zhuyi_lab::schema::SCHEMA;
 use zhuyi_scenario::{Scenario, Source, System, embedded, load};
 use zhuyi_sim::{Draws, Hindsight, Run, STEP, Simulation};
 

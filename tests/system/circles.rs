@@ -53,7 +53,7 @@ fn paths<'t>(text: &'t str, before: &Module, found: &mut BTreeSet<Module>) -> &'
         .unwrap_or(text.len());
     let (name, rest) = text.split_at(end);
     let mut path = before.clone();
-    if !name.is_empty() && !(name == "self" && !before.is_empty()) {
+    if !name.is_empty() && (name != "self" || before.is_empty()) {
         path.push(name.to_string());
     }
     match rest.strip_prefix("::") {

@@ -9,7 +9,7 @@ use crate::read;
 struct Rogue(f64);
 
 impl Policy for Rogue {
-    fn name(&self) -> &str {
+    fn name(&self) -> &'static str {
         "rogue"
     }
 
@@ -67,7 +67,9 @@ fn regress_rates_that_break_the_limits_are_an_error_that_names_the_run() {
             budget: 5.0,
         };
         let run = Scheduled::new(&scenario, &system, draws, allocation).run();
-        let error = run.err().expect("an error");
+        let Err(error) = run else {
+            panic!("{rate} was granted");
+        };
         assert_eq!(
             error.to_string(),
             format!("cut-in, seed 7, at 1.000 s: `rogue` {told}")
