@@ -87,7 +87,7 @@ fn hand_budgets_and_policies_that_cannot_be_meant() {
         ),
         (
             "allocate cut-in --budget-fps 5:30:5 --policy static:front=9",
-            "at least",
+            "gives 21 frames per second altogether",
         ),
         ("allocate cut-in --seeds 0", "--seeds:1:1"),
         ("allocate cut-inn", "cut-in"),
