@@ -6,6 +6,7 @@
 //! | `run` | the whole run: start, ticks, outcome | 2,000 |
 //! | `estimate` | the demand on every camera at every step of such a run, from its recorded future | 2,000 |
 //! | `run_and_estimate` | both | 2,000 |
+//! | `under_demand`, `under_phantom` | the run under the policies `demand-first` and `phantom` with 60 frames per second: 200 decisions | 2,000 |
 //! | `sweep` | a block of `zhuyi sweep`: 8 runs with estimate, file to table, on one thread | 16,000 |
 //! | others | `run_and_estimate` of a scenario of the paper's | 3,000 |
 
@@ -17,7 +18,8 @@ use zhuyi_estimator::Estimator;
 use zhuyi_lab::batch::{Batch, Named, Plan};
 use zhuyi_lab::schema::SCHEMA;
 use zhuyi_scenario::{Scenario, Source, System, embedded, load};
-use zhuyi_sim::{Draws, Hindsight, Run, STEP, Simulation};
+use zhuyi_scheduler::policy;
+use zhuyi_sim::{Allocation, Draws, Hindsight, Run, STEP, Scheduled, Simulation};
 
 /// The scenario of the benches.
 const TEXT: &str = include_str!("cut-in-of-four.ron");
@@ -47,6 +49,8 @@ pub fn all() -> Vec<Case> {
         case("run", four(), Drive::run_alone),
         case("estimate", four(), Drive::estimate_alone),
         case("run_and_estimate", four(), Drive::run_and_estimate),
+        case("under_demand", four(), |drive| drive.under("demand-first")),
+        case("under_phantom", four(), |drive| drive.under("phantom")),
         sweep(),
         paper("cut-out-fast"),
         paper("challenging-cut-in-curved"),
@@ -92,12 +96,15 @@ impl Drive {
     }
 
     fn simulation(&self) -> Simulation<'_> {
-        let draws = Draws {
+        Simulation::new(&self.scenario, &self.system, &self.rates, self.draws())
+    }
+
+    fn draws(&self) -> Draws<'_> {
+        Draws {
             root: 0,
             scenario: &self.scenario.name,
             seed: 0,
-        };
-        Simulation::new(&self.scenario, &self.system, &self.rates, draws)
+        }
     }
 
     fn run(&self) -> Run {
@@ -127,6 +134,18 @@ impl Drive {
     fn estimate_alone(&'static self) -> Box<dyn FnMut()> {
         let run = self.run();
         Box::new(move || self.estimate(black_box(&run)))
+    }
+
+    fn under(&'static self, name: &'static str) -> Box<dyn FnMut()> {
+        Box::new(move || {
+            let allocation = Allocation {
+                policy: policy(name).expect("a policy"),
+                budget: 60.0,
+            };
+            let draws = self.draws();
+            let run = Scheduled::new(&self.scenario, &self.system, draws, allocation).run();
+            black_box(run.expect("a decision at each time"));
+        })
     }
 
     fn run_and_estimate(&'static self) -> Box<dyn FnMut()> {

@@ -38,6 +38,7 @@
 
 mod edges;
 mod outline;
+mod view;
 
 use zhuyi_core::occlusion::Outline;
 use zhuyi_core::{Across, Along, Body, Camera, Footprint, Pose};
@@ -45,7 +46,7 @@ use zhuyi_core::{Across, Along, Body, Camera, Footprint, Pose};
 use crate::demand::Answers;
 use crate::{Demand, Ego, Estimator, Future, Watch};
 pub use edges::Phantoms;
-use outline::concerns;
+pub use view::{Along as ViewAlong, Hiders, View};
 
 /// [m] how far apart places are looked at.
 pub const STEP: f64 = 1.0;
@@ -111,7 +112,7 @@ impl Phantom {
     /// Whether it is a camera's business: some of it lies in the field of view, and no further than at the limit of the
     /// range. Whether it is hidden does not matter: hidden it is.
     pub fn counts_for(&self, camera: &Camera, ego: Pose, footprint: Footprint) -> bool {
-        concerns(camera, camera.pose(ego), footprint, self.pose)
+        View::new(camera, ego).concerns(footprint, self.pose)
     }
 
     /// Its future, seen from t_0.

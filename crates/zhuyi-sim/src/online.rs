@@ -9,6 +9,7 @@
 //! with the latency at which the camera runs now the demand feeds on itself (reading R22).
 
 use zhuyi_core::{Body, Forecast, LaneFrame, Road, SimTime, Track};
+use zhuyi_estimator::phantom::{View, ViewAlong};
 use zhuyi_estimator::rivals::Rivals;
 use zhuyi_estimator::{
     Answer, Demand, Ego, Estimator, Future, Moment, Phantom, PhantomParams, SafetyModel, Seen,
@@ -186,19 +187,24 @@ impl<'a> Online<'a> {
         let mut demands = demands.to_vec();
         self.estimator
             .add_phantoms(&around, rig, &params, &mut demands);
+        let views: Vec<View<'_>> = rig
+            .iter()
+            .map(|watch| View::new(watch.camera, ego.pose))
+            .collect();
         self.uncleared.look(&Look {
             road: self.road,
             eyes: &self.system.perception.eyes,
+            views: &views,
             ego,
             bodies: &bodies,
             processed,
             params: &params,
         });
         let footprint = params.footprint;
-        for (watch, demand) in rig.iter().zip(&mut demands) {
+        for ((watch, view), demand) in rig.iter().zip(&views).zip(&mut demands) {
             // The nearest asks for the most.
-            let in_view =
-                |phantom: &&Phantom| phantom.counts_for(watch.camera, ego.pose, footprint);
+            let mut view = ViewAlong::new(*view);
+            let in_view = |phantom: &&Phantom| view.concerns(footprint, phantom.pose);
             if let Some(nearest) = self.uncleared.phantoms().find(in_view) {
                 let (rig, demand) = (std::slice::from_ref(watch), std::slice::from_mut(demand));
                 self.estimator

@@ -19,7 +19,7 @@
 
 use zhuyi_core::approach::{gap, in_the_way};
 use zhuyi_core::{Across, Along, Body, Frenet, Road};
-use zhuyi_estimator::phantom::visible_share;
+use zhuyi_estimator::phantom::{Hiders, View, ViewAlong};
 use zhuyi_estimator::{Phantom, PhantomParams};
 use zhuyi_perception::Eye;
 
@@ -49,6 +49,8 @@ struct Place {
 pub(crate) struct Look<'a> {
     pub road: &'a Road,
     pub eyes: &'a [Eye],
+    /// The cameras at this instant.
+    pub views: &'a [View<'a>],
     pub ego: &'a Body,
     /// The others as they are believed to be.
     pub bodies: &'a [Body],
@@ -72,8 +74,10 @@ impl Uncleared {
             self.places.push(Place::new(index * SPACING, look));
             index += 1.0;
         }
+        let hiders = Hiders::new(look.bodies);
+        let mut views: Vec<_> = look.views.iter().copied().map(ViewAlong::new).collect();
         for place in &mut self.places {
-            place.look(look, !self.begun);
+            place.look(look, &mut views, &hiders, !self.begun);
         }
         self.begun = true;
     }
@@ -104,7 +108,13 @@ impl Place {
         }
     }
 
-    fn look(&mut self, look: &Look<'_>, at_start: bool) {
+    fn look(
+        &mut self,
+        look: &Look<'_>,
+        views: &mut [ViewAlong<'_>],
+        hiders: &Hiders<'_>,
+        at_start: bool,
+    ) {
         if look.bodies.iter().any(|body| self.is_under(body, look)) {
             self.cleared = true;
             self.since.fill(None);
@@ -112,10 +122,10 @@ impl Place {
         }
         let (footprint, pose) = (look.params.footprint, self.phantom.pose);
         let (mut hidden, mut long_enough) = (true, at_start);
-        for ((eye, since), processed) in look.eyes.iter().zip(&mut self.since).zip(look.processed) {
-            let (camera, ego) = (&eye.camera, look.ego.pose);
-            let in_sight = self.phantom.counts_for(camera, ego, footprint)
-                && visible_share(camera, ego, footprint, pose, look.bodies) >= WHOLE;
+        let cameras = look.eyes.iter().zip(views).zip(look.processed);
+        for (((eye, view), processed), since) in cameras.zip(&mut self.since) {
+            let in_sight =
+                view.concerns(footprint, pose) && view.view().shows(footprint, pose, hiders, WHOLE);
             if in_sight {
                 hidden = false;
                 let first = *since.get_or_insert(*processed);
@@ -187,6 +197,7 @@ mod tests {
             places.look(&Look {
                 road: &road,
                 eyes: &eyes,
+                views: &eyes.each_ref().map(|eye| View::new(&eye.camera, ego.pose)),
                 ego: &ego,
                 bodies: &[car(30.0, *d)],
                 processed: &[*processed],

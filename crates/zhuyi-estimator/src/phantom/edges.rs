@@ -16,10 +16,10 @@
 //! asks them for no more, and to find out whether a place is seen is what costs. Left out: what a path that has left the
 //! range may come back to.
 
-use zhuyi_core::{Body, Camera, Pose};
+use zhuyi_core::{Body, Camera, Point, Pose};
 
-use super::outline::{concerns, in_sight, visible_share};
 use super::{EXACT, Phantom, PhantomParams, STEP, Surroundings};
+use super::{Hiders, View};
 use crate::Watch;
 
 /// The phantoms on the ego's path, the nearest first; made by [`Surroundings::phantoms`].
@@ -27,6 +27,11 @@ use crate::Watch;
 pub struct Phantoms<'a, P> {
     around: &'a Surroundings<'a, P>,
     rig: &'a [Watch<'a>],
+    /// The first cameras of the rig, made ready once.
+    views: [Option<View<'a>>; READY],
+    hiders: Hiders<'a>,
+    /// [m] where the centre of a phantom has no room, from and up to, by the first bodies in its way.
+    taken: [(f64, f64); READY],
     params: &'a PhantomParams,
     /// [m] the place that is looked at next ...
     next: f64,
@@ -38,7 +43,12 @@ pub struct Phantoms<'a, P> {
     reach: f64,
     /// The cameras that have a phantom and need no other; none where all edges are asked for.
     served: Option<Served>,
+    /// A place that all other cameras plainly do not have in view, and how far [m] from it that is sure.
+    out_of_view: (Point, f64),
 }
+
+/// Cameras that are made ready.
+const READY: usize = 8;
 
 /// Places in the rig's list, of the first 64: any others look for all their phantoms.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -75,15 +85,23 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
             .iter()
             .map(|Watch { camera, .. }| camera.range + libm::hypot(camera.forward, camera.left));
         let from = around.ego.front() + params.footprint.length / 2.0;
+        let ready = |place: usize| {
+            let watch = rig.get(place)?;
+            Some(View::new(watch.camera, around.ego.pose))
+        };
         Self {
             around,
             rig,
+            views: std::array::from_fn(ready),
+            hiders: Hiders::new(around.bodies),
+            taken: taken(around, params),
             params,
             next: from,
             before: Before::Nothing,
             from,
             reach: ranges.fold(0.0, f64::max) + params.footprint.length + STEP,
             served: None,
+            out_of_view: (Point::default(), 0.0),
         }
     }
 
@@ -118,24 +136,56 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
     /// Whether a camera has a phantom at `s` in view and not one at `before`.
     fn a_camera_gains(&self, before: f64, s: f64) -> bool {
         let [before, now] = [before, s].map(&self.around.path);
-        let gains = |camera| self.concerned(camera, now) && !self.concerned(camera, before);
-        self.rig.iter().any(|watch| gains(watch.camera))
+        let gains = |place| self.concerned(place, now) && !self.concerned(place, before);
+        (0..self.rig.len()).any(gains)
     }
 
-    fn concerned(&self, camera: &Camera, pose: Pose) -> bool {
-        let eye = camera.pose(self.around.ego.pose);
-        concerns(camera, eye, self.params.footprint, pose)
+    fn concerned(&self, place: usize, pose: Pose) -> bool {
+        self.view(place).concerns(self.params.footprint, pose)
+    }
+
+    /// A camera of the rig.
+    fn view(&self, place: usize) -> View<'a> {
+        let ready = self.views.get(place).copied().flatten();
+        ready.unwrap_or_else(|| View::new(self.rig[place].camera, self.around.ego.pose))
     }
 
     /// Whether a camera that has no phantom yet has a place in view; all matter until the first stands.
     fn matters(&self, s: f64) -> bool {
+        self.matters_for(s).is_none_or(|(matters, ..)| matters)
+    }
+
+    /// The same with the place in the world, and how far [m] from there it is sure; none where all matter.
+    fn matters_for(&self, s: f64) -> Option<(bool, Point, f64)> {
         let Some(Served(served @ 1..)) = self.served else {
-            return true;
+            return None;
         };
         let pose = (self.around.path)(s);
-        let waits = |place: usize| served & Served::bit(place) == 0;
-        let mut rig = self.rig.iter().enumerate();
-        rig.any(|(place, watch)| waits(place) && self.concerned(watch.camera, pose))
+        let mut sure = f64::INFINITY;
+        for place in (0..self.rig.len()).filter(|place| served & Served::bit(*place) == 0) {
+            let (concerned, margin) = self.view(place).concerns_for(self.params.footprint, pose);
+            if concerned {
+                return Some((true, pose.point(), 0.0));
+            }
+            sure = sure.min(margin);
+        }
+        Some((false, pose.point(), sure))
+    }
+
+    /// Whether no camera without a phantom has a place in view, mostly as it is near one of which this is known.
+    fn is_out_of_view(&mut self, s: f64) -> bool {
+        let (known, sure) = self.out_of_view;
+        if sure > 0.0 {
+            let Pose { x, y, .. } = (self.around.path)(s);
+            if (x - known.x).abs() + (y - known.y).abs() < sure {
+                return true;
+            }
+        }
+        let Some((false, point, sure)) = self.matters_for(s) else {
+            return false;
+        };
+        self.out_of_view = (point, sure);
+        true
     }
 
     /// Notes whom a phantom at `pose` serves.
@@ -143,8 +193,8 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
         let Some(Served(mut served)) = self.served else {
             return;
         };
-        for (place, watch) in self.rig.iter().enumerate() {
-            if self.concerned(watch.camera, pose) {
+        for place in 0..self.rig.len() {
+            if self.concerned(place, pose) {
                 served |= Served::bit(place);
             }
         }
@@ -153,52 +203,72 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
 
     /// Whether the path has left the range of all cameras.
     fn ends(&self, s: f64) -> bool {
+        if s - self.from <= self.reach {
+            return false;
+        }
         let pose = (self.around.path)(s);
         let in_range = |camera: &Camera| {
             let eye = camera.pose(self.around.ego.pose);
             let distance = libm::hypot(pose.x - eye.x, pose.y - eye.y);
             distance - self.params.footprint.radius() <= camera.range
         };
-        s - self.from > self.reach && !self.rig.iter().any(|watch| in_range(watch.camera))
+        !self.rig.iter().any(|watch| in_range(watch.camera))
     }
 
     /// Whether some camera sees a phantom with its centre at `s`.
     fn seen(&self, s: f64) -> bool {
         let pose = (self.around.path)(s);
-        self.rig.iter().any(|Watch { camera, .. }| {
-            let eye = camera.pose(self.around.ego.pose);
-            let footprint = self.params.footprint;
-            let phantom = in_sight(camera, eye, footprint, pose);
-            phantom.is_some_and(|phantom| {
-                let (placed, view) = ((footprint, pose), (eye, camera.fov));
-                visible_share(&phantom, placed, view, self.around.bodies)
-                    >= self.params.visible_share
-            })
+        let PhantomParams {
+            footprint,
+            visible_share,
+            ..
+        } = *self.params;
+        (0..self.rig.len()).any(|place| {
+            let view = self.view(place);
+            view.sees(footprint, pose, &self.hiders, visible_share)
         })
     }
 
     /// The first place behind the bodies, and the headways ahead of them, that leave no room for a phantom with its
     /// centre at `s`; none where there is room.
     fn behind_taken(&self, s: f64) -> Option<f64> {
-        let Surroundings { ego, bodies, .. } = self.around;
-        let params = self.params;
-        let half = params.footprint.length / 2.0;
         let mut free = s;
         loop {
-            let ends = |body: &Body| body.front() + params.headway * body.s_rate.max(0.0) + half;
-            let in_the_way = |body: &&Body| {
-                let across = (body.road.d - ego.road.d).abs();
-                let reach = body.extent.half_widths(params.footprint);
-                // Compared in this form, so that a round passes over a body whatever is rounded.
-                across < reach && body.rear() < free + half && free < ends(body)
-            };
-            let Some(body) = bodies.iter().find(in_the_way) else {
+            let ready = self
+                .taken
+                .iter()
+                .take_while(|(from, _)| *from < f64::INFINITY);
+            let others = self.around.bodies.iter().skip(READY);
+            let others = others.filter_map(|body| room_of(body, self.around.ego, self.params));
+            // Compared in this form, so that a round passes over a body whatever is rounded.
+            let mut all = ready.copied().chain(others);
+            let Some((_, end)) = all.find(|(from, to)| *from < free && free < *to) else {
                 break;
             };
-            free = ends(body);
+            free = end;
         }
         (free > s).then_some(free)
     }
+}
+
+/// [m] where a body, and the headway ahead of it, leave no room for the centre of a phantom, from and up to; none where the body is
+/// beside the path.
+fn room_of(body: &Body, ego: &Body, params: &PhantomParams) -> Option<(f64, f64)> {
+    let half = params.footprint.length / 2.0;
+    let across = (body.road.d - ego.road.d).abs();
+    let end = body.front() + params.headway * body.s_rate.max(0.0) + half;
+    (across < body.extent.half_widths(params.footprint)).then_some((body.rear() - half, end))
+}
+
+/// The same of the first bodies, those in the way first; from infinity on for the others.
+fn taken<P>(around: &Surroundings<'_, P>, params: &PhantomParams) -> [(f64, f64); READY] {
+    let mut taken = [(f64::INFINITY, f64::INFINITY); READY];
+    let bodies = around.bodies.iter().take(READY);
+    let rooms = bodies.filter_map(|body| room_of(body, around.ego, params));
+    for (place, room) in taken.iter_mut().zip(rooms) {
+        *place = room;
+    }
+    taken
 }
 
 impl<P: Fn(f64) -> Pose> Iterator for Phantoms<'_, P> {
@@ -209,7 +279,7 @@ impl<P: Fn(f64) -> Pose> Iterator for Phantoms<'_, P> {
             let s = self.next;
             if let Some(free) = self.behind_taken(s) {
                 (self.next, self.before) = (free, Before::Taken);
-            } else if !self.matters(s) && !matches!(self.before, Before::Seen(_)) {
+            } else if !matches!(self.before, Before::Seen(_)) && self.is_out_of_view(s) {
                 // Behind a seen place none is passed over: between the two may lie the limit of the range.
                 (self.next, self.before) = (s + STEP, Before::PassedOver(s));
                 if self.ends(s) {
