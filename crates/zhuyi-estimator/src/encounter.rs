@@ -165,32 +165,46 @@ impl<'a> Encounter<'a> {
         Verdict::Nothing
     }
 
+    /// Whether for sure nothing happens to a candidate on a block.
+    pub fn is_idle(&self, ask: Ask, candidate: &Candidate, block: &Cell<'_, AlongBlock>) -> bool {
+        self.outlines(ask, candidate, block)
+            .all(|(_, outline, reacted)| {
+                (!ask.contact || outline.first_contact().is_none())
+                    && (!reacted || outline.first_met(self.margins).is_none())
+            })
+    }
+
     /// Until when [s] for sure nothing happens to a candidate on a block, at most its end.
     pub fn idle_until(&self, ask: Ask, candidate: &Candidate, block: &Cell<'_, AlongBlock>) -> f64 {
+        for (start, outline, reacted) in self.outlines(ask, candidate, block) {
+            let contact = ask.contact.then(|| outline.first_contact()).flatten();
+            let met = reacted.then(|| outline.first_met(self.margins)).flatten();
+            if contact.is_some() || met.is_some() {
+                let first = |event: Option<f64>| event.unwrap_or(f64::INFINITY);
+                return start + first(contact).min(first(met));
+            }
+        }
+        block.end
+    }
+
+    /// A block as each phase of a candidate meets it: from when on, its outline, and whether the candidate has reacted and is asked for
+    /// the constraints.
+    #[inline]
+    fn outlines(
+        &self,
+        ask: Ask,
+        candidate: &Candidate,
+        block: &Cell<'_, AlongBlock>,
+    ) -> impl Iterator<Item = (f64, Outline, bool)> {
         let kept = self.corridor.kept_of_blocks.length / 2.0;
         let datum = Datum {
             origin: self.datum.origin - kept,
             ..self.datum
         };
-        for (phase, a, b) in parts(&candidate.motion, block.start, block.end) {
-            let outline = Outline::new(a, b, block.piece, datum, phase);
+        parts(&candidate.motion, block.start, block.end).map(move |(phase, a, b)| {
             let reacted = ask.met && phase.start >= candidate.reaction_time;
-            let contact = if ask.contact {
-                outline.first_contact()
-            } else {
-                None
-            };
-            let met = if reacted {
-                outline.first_met(self.margins)
-            } else {
-                None
-            };
-            if contact.is_some() || met.is_some() {
-                let first = |event: Option<f64>| event.unwrap_or(f64::INFINITY);
-                return a + first(contact).min(first(met));
-            }
-        }
-        block.end
+            (a, Outline::new(a, b, block.piece, datum, phase), reacted)
+        })
     }
 }
 

@@ -173,6 +173,13 @@ impl<F: Fn(usize) -> Candidate> Visitor for Search<'_, '_, F> {
     /// [s] until when the front did not meet the constraints when the borders met.
     type Found = f64;
 
+    fn passes_over(&self, block: &Cell<'_, AlongBlock>) -> bool {
+        // Where the back is clear, so is the front.
+        let (met, contact) = (self.asks_met(), self.asks_contact());
+        (!self.ask.met || self.encounter.is_idle(met, &self.front, block))
+            && (!self.ask.contact || self.encounter.is_idle(contact, &self.back, block))
+    }
+
     fn idle_until(&self, block: &Cell<'_, AlongBlock>) -> f64 {
         // Where the back is clear, so is the front.
         let mut until = block.end;

@@ -104,6 +104,9 @@ pub(crate) trait Visitor {
     /// What ends the visit.
     type Found;
 
+    /// Whether nothing on this block can matter.
+    fn passes_over(&self, block: &Cell<'_, AlongBlock>) -> bool;
+
     /// Until when [s] nothing on this block can matter, at most its end.
     fn idle_until(&self, block: &Cell<'_, AlongBlock>) -> f64;
 
@@ -263,7 +266,7 @@ impl Encounter<'_> {
                 end: (block.end - now).min(to),
                 piece: block,
             };
-            if begun && visitor.idle_until(&cell) >= cell.end {
+            if begun && visitor.passes_over(&cell) {
                 return Some((block.end - now, (index / size + 1) * size));
             }
         }
@@ -300,6 +303,10 @@ struct Single<'e, 'a> {
 impl Visitor for Single<'_, '_> {
     type Found = f64;
 
+    fn passes_over(&self, block: &Cell<'_, AlongBlock>) -> bool {
+        self.encounter.is_idle(self.ask, self.candidate, block)
+    }
+
     fn idle_until(&self, block: &Cell<'_, AlongBlock>) -> f64 {
         self.encounter.idle_until(self.ask, self.candidate, block)
     }
@@ -327,6 +334,10 @@ struct Slow<'e, 'a> {
 
 impl Visitor for Slow<'_, '_> {
     type Found = ();
+
+    fn passes_over(&self, _: &Cell<'_, AlongBlock>) -> bool {
+        false
+    }
 
     fn idle_until(&self, block: &Cell<'_, AlongBlock>) -> f64 {
         block.start
