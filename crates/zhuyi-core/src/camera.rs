@@ -60,6 +60,9 @@ impl Camera {
     }
 }
 
+/// [Hz] the full frame rate of a camera: none delivers more frames, and no demand or policy asks for more (reading R4).
+pub const FULL_RATE: f64 = 30.0;
+
 /// [m] what is nearer than this to a border is not plain.
 const CLEARANCE: f64 = 1e-3;
 

@@ -12,9 +12,10 @@
 //! so is the answer.
 
 use crate::estimate::State;
-use crate::grid::{MAX_FPR, MAX_LATENCIES};
+use crate::grid::MAX_LATENCIES;
 use crate::{Aggregation, Ego, Estimate, Estimator, Future};
 use zhuyi_core::Forecast;
+use zhuyi_core::camera::FULL_RATE;
 
 /// The answer for an actor with several futures.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,7 +72,7 @@ impl Estimator {
                 continue;
             };
             total += weight;
-            latency_sum += weight * estimate.latency.unwrap_or(1.0 / MAX_FPR);
+            latency_sum += weight * estimate.latency.unwrap_or(1.0 / FULL_RATE);
             ranks[rank].weight += weight;
             ranks[rank].first = ranks[rank].first.or(Some((place, estimate)));
         }

@@ -5,7 +5,8 @@
 
 use std::cmp::Ordering;
 
-use crate::grid::{MAX_FPR, fpr};
+use crate::grid::fpr;
+use zhuyi_core::camera::FULL_RATE;
 use zhuyi_core::{Body, Footprint};
 
 /// The ego at t_0, on the road or in any straight frame.
@@ -164,7 +165,7 @@ impl Estimate {
         match (self.state, self.latency) {
             (State::Alongside, _) => None,
             (_, Some(latency)) => Some(fpr(latency)),
-            (_, None) => Some(MAX_FPR),
+            (_, None) => Some(FULL_RATE),
         }
     }
 

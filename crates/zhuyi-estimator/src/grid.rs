@@ -5,12 +5,10 @@
 //! these (4.8 = 1/0.208, 5.7 = 1/0.175).
 
 use crate::Grid;
+use zhuyi_core::camera::FULL_RATE;
 
 /// The longest grid has this many latencies.
 pub(crate) const MAX_LATENCIES: usize = 31;
-
-/// [Hz] the highest frame processing rate ever asked for (reading R4).
-pub const MAX_FPR: f64 = 30.0;
 
 /// The latencies of a grid, descending.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,7 +66,7 @@ impl Latencies {
     }
 }
 
-/// [Hz] the frame processing rate of a latency, 1/l and at most [`MAX_FPR`].
+/// [Hz] the frame processing rate of a latency, 1/l and at most [`FULL_RATE`].
 ///
 /// ```
 /// use zhuyi_estimator::grid::fpr;
@@ -76,5 +74,5 @@ impl Latencies {
 /// assert_eq!(fpr(0.033), 30.0);
 /// ```
 pub fn fpr(latency: f64) -> f64 {
-    (1.0 / latency).min(MAX_FPR)
+    (1.0 / latency).min(FULL_RATE)
 }

@@ -3,7 +3,7 @@
 
 mod described;
 
-use zhuyi_estimator::grid::MAX_FPR;
+use zhuyi_core::camera::FULL_RATE;
 use zhuyi_scenario::System;
 use zhuyi_world::Side;
 
@@ -180,7 +180,8 @@ fn figures(experiment: &Experiment<'_>, record: &Record) -> Vec<String> {
     ];
     let processed = || record.frames.iter().map(|frames| frames.processed);
     fields.extend(processed().map(|processed| processed.to_string()));
-    let share = |processed: u64| (duration > 0.0).then(|| processed as f64 / (MAX_FPR * duration));
+    let share =
+        |processed: u64| (duration > 0.0).then(|| processed as f64 / (FULL_RATE * duration));
     fields.extend(processed().map(|processed| decimals(share(processed), 4)));
     fields
 }

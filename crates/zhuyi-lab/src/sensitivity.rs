@@ -17,6 +17,7 @@
 //! beyond the grid, and where not even that does, unavoidable (reading R12). Left out: what the actor does before t_n, hence
 //! contact before it (reading R6).
 
+use zhuyi_core::camera::FULL_RATE;
 use zhuyi_estimator::ego_motion::{braking_decel, reaction_time};
 use zhuyi_estimator::{Estimator, State};
 
@@ -87,7 +88,7 @@ impl Map {
             Cell {
                 ego,
                 actor,
-                fpr: latency.map(|latency| (1.0 / latency).min(30.0)),
+                fpr: latency.map(|latency| (1.0 / latency).min(FULL_RATE)),
                 state,
             }
         };

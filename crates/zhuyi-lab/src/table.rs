@@ -7,7 +7,7 @@
 
 pub mod files;
 
-use zhuyi_estimator::grid::MAX_FPR;
+use zhuyi_core::camera::FULL_RATE;
 use zhuyi_scenario::System;
 use zhuyi_sim::Peaks;
 
@@ -186,7 +186,7 @@ fn largest_sum(required: &Required, records: &[Record]) -> Option<f64> {
 
 /// [FPR] all analysed cameras at their highest rate: the paper's 90 for three.
 fn highest_sum(system: &System) -> f64 {
-    MAX_FPR
+    FULL_RATE
         * system
             .perception
             .eyes

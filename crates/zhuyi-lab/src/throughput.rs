@@ -23,9 +23,6 @@ pub const FURTHER_MODELS: f64 = 0.2;
 /// How many cameras.
 pub const CAMERAS: u32 = 12;
 
-/// [FPR] the rate of every camera of a system that does not choose.
-pub const FULL_RATE: f64 = 30.0;
-
 /// The chips, with what they offer in TOPS.
 pub const CHIPS: [(&str, f64); 2] = [("Xavier", 30.0), ("Orin", 275.0)];
 

@@ -16,6 +16,7 @@
 
 use crate::error::{PolicyError, RateLimit};
 use crate::sharing;
+use zhuyi_core::camera::FULL_RATE;
 
 /// [Hz] what rounding may add to each rate.
 const ROUNDING: f64 = 1e-9;
@@ -132,7 +133,7 @@ impl Situation<'_> {
     /// # Errors
     /// If a rate is not in [floor, 30], or their sum is above the budget.
     pub fn check_rates(&self, rates: &[f64], slack: f64) -> Result<(), RateLimit> {
-        let (floor, cap) = (self.floor(), sharing::CAP);
+        let (floor, cap) = (self.floor(), FULL_RATE);
         for (camera, got) in self.cameras.iter().zip(rates) {
             if !(floor - slack..=cap + slack).contains(got) {
                 return Err(RateLimit::Range {

@@ -27,8 +27,7 @@
 //! level: Bertsekas & Gallager, Data Networks, section 6.5. Left out: whole numbers of frames. Wishes are taken as
 //! finite and not negative, and the budget as positive: [`Situation::check`](crate::Situation::check) sees to it.
 
-/// [Hz] the highest frame rate of a camera (reading R4).
-pub const CAP: f64 = 30.0;
+use zhuyi_core::camera::FULL_RATE;
 
 /// [-] a weight below this share of the largest counts as none.
 const NEGLIGIBLE: f64 = 1e-9;
@@ -67,7 +66,7 @@ pub fn in_proportion(weights: &[f64], budget: f64) -> Vec<f64> {
             offset: 0.0,
             slope: if share > NEGLIGIBLE { share } else { 0.0 },
             low: floor,
-            high: CAP,
+            high: FULL_RATE,
         }
     });
     let rates = fill(&ramps.collect::<Vec<_>>(), budget);
@@ -86,7 +85,7 @@ pub fn in_proportion(weights: &[f64], budget: f64) -> Vec<f64> {
 pub fn cut(demands: &[f64], budget: f64) -> Vec<f64> {
     let floor = floor(budget, demands.len());
     let ramps = demands.iter().map(|demand| {
-        let demand = demand.clamp(floor, CAP);
+        let demand = demand.clamp(floor, FULL_RATE);
         Ramp {
             offset: 0.0,
             slope: demand,
@@ -109,7 +108,7 @@ pub fn share_rest(granted: &[f64], budget: f64) -> Vec<f64> {
         offset: *granted,
         slope: 1.0,
         low: *granted,
-        high: granted.max(CAP),
+        high: granted.max(FULL_RATE),
     });
     fill(&ramps.collect::<Vec<_>>(), budget)
 }
@@ -143,7 +142,7 @@ pub fn demand_first(demands: &[f64], budget: f64) -> Vec<f64> {
 pub fn raise(rates: &[f64], demands: &[f64], budget: f64) -> Vec<f64> {
     assert_eq!(rates.len(), demands.len(), "one demand per camera");
     let floor = floor(budget, rates.len());
-    let wanted: Vec<f64> = demands.iter().map(|d| d.clamp(floor, CAP)).collect();
+    let wanted: Vec<f64> = demands.iter().map(|d| d.clamp(floor, FULL_RATE)).collect();
     let rates = cut(rates, budget);
     let pairs = || rates.iter().zip(&wanted);
     let surplus: f64 = pairs().map(|(rate, want)| (rate - want).max(0.0)).sum();

@@ -2,8 +2,8 @@
 
 use zhuyi_core::approach::{closes, time_to_collision};
 use zhuyi_core::boxes::{distance, swept_gap};
+use zhuyi_core::camera::FULL_RATE;
 use zhuyi_core::{ActorId, Body, LaneFrame, Road, SimTime};
-use zhuyi_scheduler::sharing::CAP;
 use zhuyi_world::crash::CrashError;
 use zhuyi_world::{Crash, Progress, Side};
 
@@ -73,7 +73,7 @@ impl Frames {
     /// assert_eq!(frames.avoided(2.0), 24);
     /// ```
     pub fn avoided(&self, seconds: f64) -> u64 {
-        let all = (CAP * seconds).round() as u64;
+        let all = (FULL_RATE * seconds).round() as u64;
         all.saturating_sub(self.exposed - self.dropped)
     }
 }

@@ -12,11 +12,11 @@
 //! Zhuyi-based system, "Safety check"). The response goes on for `hold` after the last alarm, so that what it mends does
 //! not end it at once.
 
+use zhuyi_core::camera::FULL_RATE;
 use zhuyi_core::{FrameRates, Road, SimTime};
 use zhuyi_estimator::Estimator;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::safety::{Measures, falls_short};
-use zhuyi_scheduler::sharing::CAP;
 use zhuyi_scheduler::{CameraState, Demands, Discipline, LooksAt, Policy, PolicyError, Situation};
 
 use crate::draws::Draws;
@@ -92,7 +92,7 @@ pub fn known_future(
 /// If the budget is not positive and finite.
 pub fn equal_parts(system: &System, budget: f64) -> FrameRates {
     let cameras = system.perception.eyes.len();
-    FrameRates::new(vec![(budget / cameras as f64).min(CAP); cameras])
+    FrameRates::new(vec![(budget / cameras as f64).min(FULL_RATE); cameras])
 }
 
 impl<'a> Scheduled<'a> {

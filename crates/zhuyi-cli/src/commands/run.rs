@@ -9,7 +9,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use zhuyi_core::FrameRates;
-use zhuyi_estimator::grid::MAX_FPR;
+use zhuyi_core::camera::FULL_RATE;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::safety::Response;
 use zhuyi_sim::{
@@ -338,7 +338,7 @@ impl Run {
         if allocation.policy.name() != "clairvoyant" {
             return Vec::new();
         }
-        let full = FrameRates::new(vec![MAX_FPR; self.rates.all().len()]);
+        let full = FrameRates::new(vec![FULL_RATE; self.rates.all().len()]);
         let run = Simulation::new(&self.scenario, &self.system, &full, draws).run();
         known_future(&run.trace, &self.scenario.road, &self.system, &full)
     }

@@ -11,6 +11,7 @@
 use super::Cell;
 use super::drive::Driven;
 use crate::statistics::{Z_975, mean, median, wilson_interval};
+use zhuyi_core::camera::FULL_RATE;
 
 /// The drives of one policy at one budget, together.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -62,7 +63,7 @@ impl Tally {
             collisions: count(&|driven| driven.collision.is_some()),
             delta_v: mean(&delta_v),
             processed,
-            share: processed / (30.0 * cameras as f64),
+            share: processed / (FULL_RATE * cameras as f64),
             avoided: all(&|driven| driven.avoided as f64),
             decel: all(&|driven| driven.decel),
             jerk: all(&|driven| driven.jerk),

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use zhuyi_estimator::grid::MAX_FPR;
+use zhuyi_core::camera::FULL_RATE;
 use zhuyi_scenario::Scenario;
 
 use super::{COUNT, Edges, PHANTOMS, Peak, VARIANTS, highest};
@@ -66,7 +66,7 @@ pub(super) fn markdown(
     let fraction = |place: usize, variant: usize| {
         let sums = peaks[place].iter().map(|peaks| peaks[variant].sum);
         let analysed = plan.system.perception.eyes.iter();
-        let all = MAX_FPR * analysed.filter(|eye| eye.camera.analysed).count() as f64;
+        let all = FULL_RATE * analysed.filter(|eye| eye.camera.analysed).count() as f64;
         sums.max_by(f64::total_cmp)
             .map_or("N/A".to_string(), |sum| {
                 format!("{sum:.1} ({:.3})", sum / all)
@@ -108,7 +108,7 @@ pub(super) fn markdown(
         text,
         "## Largest estimate, mean over the seeds\n\n{}\nIn FPR, of the analysed cameras. Bold: below the MRF. Phantoms count for the \
          cameras that look where they stand.\n\n\
-         ## Largest sum over the analysed cameras\n\n{}\nIn FPR, with its share of all cameras at {MAX_FPR} FPR; over the runs at the \
+         ## Largest sum over the analysed cameras\n\n{}\nIn FPR, with its share of all cameras at {FULL_RATE} FPR; over the runs at the \
          highest rate alone.\n\n\
          ## Largest change at one step\n\n{}\nIn FPR, up or down, of the demand on an analysed camera against the paper's model.\n\n\
          ## Steps at which no rate of the grid was enough\n\n{}\nOf 10 ms, all seeds together: at which only to react at once would do \

@@ -1,6 +1,7 @@
 //! Claim 8: the estimate in the loop is safe in cut-in, and differs from the one with hindsight mainly by prediction.
 
 use zhuyi_core::FrameRates;
+use zhuyi_core::camera::FULL_RATE;
 
 use super::{Claim, Verdict};
 use crate::foresight::{Decision, Foresight, SHOWN, foresights, of_one_future};
@@ -67,7 +68,7 @@ impl Online {
     /// [FPR] the largest demand.
     fn peak(&self, of: fn(&Decision) -> f64) -> String {
         let latency = self.decisions.iter().map(of).fold(1.0, f64::min);
-        format!("{:.1}", (1.0 / latency).min(30.0))
+        format!("{:.1}", (1.0 / latency).min(FULL_RATE))
     }
 
     /// Of the decisions, in percent.

@@ -2,7 +2,8 @@
 
 use super::{Claim, Verdict};
 use crate::text::{cells, markdown_table};
-use crate::throughput::{CAMERAS, CHIPS, FRAME, FULL_RATE, FURTHER_MODELS, affordable, demand};
+use crate::throughput::{CAMERAS, CHIPS, FRAME, FURTHER_MODELS, affordable, demand};
+use zhuyi_core::camera::FULL_RATE;
 
 pub(super) fn claim() -> Claim {
     let full = demand(FULL_RATE, true);

@@ -6,8 +6,8 @@
 //! equals.
 
 use zhuyi_core::approach::gap;
+use zhuyi_core::camera::FULL_RATE;
 use zhuyi_core::{ActorId, FrameRates, Road, SimTime};
-use zhuyi_estimator::grid::MAX_FPR;
 use zhuyi_estimator::{ActorStart, Demand};
 use zhuyi_sim::trace::{Row, Trace};
 use zhuyi_sim::{Hindsight, Peaks};
@@ -155,9 +155,9 @@ impl Audit {
         for camera in cameras.iter().copied() {
             let needed = &demands[NEEDED][camera];
             if self.apart.count(needed) {
-                if needed.fpr == MAX_FPR {
+                if needed.fpr == FULL_RATE {
                     for (model, demands) in self.models.iter_mut().zip(demands) {
-                        model.below_most += u64::from(demands[camera].fpr < MAX_FPR);
+                        model.below_most += u64::from(demands[camera].fpr < FULL_RATE);
                     }
                 }
                 continue;

@@ -6,7 +6,8 @@
 //! ```
 //! Counts can be added in any grouping without a change, which sums of floats cannot.
 
-use zhuyi_estimator::grid::{MAX_FPR, fpr};
+use zhuyi_core::camera::FULL_RATE;
+use zhuyi_estimator::grid::fpr;
 
 /// Counts by (latency needed, latency asked for), both as places in the grid.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -147,7 +148,7 @@ impl Joint {
 
     /// [-] share of all steps at which the highest rate was asked for.
     pub fn share_at_most(&self) -> Option<f64> {
-        let at_most = self.came().filter(|(_, asked, _)| fpr(*asked) == MAX_FPR);
+        let at_most = self.came().filter(|(_, asked, _)| fpr(*asked) == FULL_RATE);
         share(at_most.map(|(.., count)| count).sum(), self.steps())
     }
 

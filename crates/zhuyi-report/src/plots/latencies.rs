@@ -2,6 +2,7 @@
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
+use zhuyi_core::camera::FULL_RATE;
 use zhuyi_lab::course::{Course, SHOWN};
 
 use super::File;
@@ -177,7 +178,7 @@ fn told(
     let text = format!(
         "{:.0} ms, {:.1} FPR at {:.1} s",
         point.1,
-        (1.0 / peak.latency).min(30.0),
+        (1.0 / peak.latency).min(FULL_RATE),
         peak.last
     );
     let (x, across) = beside(peak.last);

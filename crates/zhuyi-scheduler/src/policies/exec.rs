@@ -24,6 +24,7 @@ pub use fault::{Fault, ProgramError};
 use crate::{Policy, PolicyError, Situation, sharing};
 use program::{NoAnswer, Program};
 use std::time::Duration;
+use zhuyi_core::camera::FULL_RATE;
 
 /// [Hz] what printed numbers may be off by.
 const PRINTED: f64 = 1e-6;
@@ -97,7 +98,7 @@ pub fn judge(line: &[u8], situation: &Situation<'_>) -> Result<Vec<f64>, Fault> 
     }
     situation.check_rates(&rates, PRINTED)?;
     for rate in &mut rates {
-        *rate = rate.clamp(situation.floor(), sharing::CAP);
+        *rate = rate.clamp(situation.floor(), FULL_RATE);
     }
     if rates.iter().sum::<f64>() > situation.budget {
         rates = sharing::cut(&rates, situation.budget);

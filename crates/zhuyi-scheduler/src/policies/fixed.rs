@@ -11,8 +11,8 @@
 //! Suraksha (ISSRE 2021), which looks for the lowest rates that are safe in all scenarios. Left out: what is seen.
 
 use crate::policies::UnknownPolicy;
-use crate::sharing;
 use crate::{LooksAt, Policy, PolicyError, Situation};
+use zhuyi_core::camera::FULL_RATE;
 
 /// Rates that never change.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,7 +39,7 @@ impl Static {
             let hz = rate
                 .parse()
                 .ok()
-                .filter(|hz| *hz > 0.0 && *hz <= sharing::CAP)
+                .filter(|hz| *hz > 0.0 && *hz <= FULL_RATE)
                 .ok_or_else(|| UnknownPolicy::StaticRate {
                     camera: camera.to_string(),
                     got: rate.to_string(),
@@ -106,7 +106,7 @@ impl Policy for Static {
         let (floor, budget) = (situation.floor(), situation.budget);
         let given: f64 = assigned.iter().flatten().sum();
         let others = assigned.iter().filter(|hz| hz.is_none()).count();
-        let share = ((budget - given) / others as f64).clamp(floor, sharing::CAP);
+        let share = ((budget - given) / others as f64).clamp(floor, FULL_RATE);
         for (rate, hz) in rates.iter_mut().zip(assigned) {
             *rate = hz.unwrap_or(share);
         }

@@ -6,8 +6,8 @@
 //!
 //! B is the budget [Hz], n the number of cameras. The baseline of all comparisons. Left out: everything that is known.
 
-use crate::sharing;
 use crate::{LooksAt, Policy, PolicyError, Situation};
+use zhuyi_core::camera::FULL_RATE;
 
 /// Every camera the same.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -25,7 +25,7 @@ impl Policy for Uniform {
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
         situation.check(rates)?;
         let share = situation.budget / situation.cameras.len() as f64;
-        rates.fill(share.min(sharing::CAP));
+        rates.fill(share.min(FULL_RATE));
         Ok(())
     }
 }

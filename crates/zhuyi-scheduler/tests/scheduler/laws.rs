@@ -2,7 +2,8 @@
 
 use crate::situation::{Scene, any_budget, any_demand, any_scene};
 use proptest::prelude::*;
-use zhuyi_scheduler::sharing::{self, CAP};
+use zhuyi_core::camera::FULL_RATE;
+use zhuyi_scheduler::sharing;
 use zhuyi_scheduler::{NAMES, policy};
 
 /// Names of the policies that need nothing but their name.
@@ -17,7 +18,7 @@ fn assert_within(rates: &[f64], budget: f64, who: &str) -> Result<(), TestCaseEr
     let floor = (budget / rates.len() as f64).min(1.0);
     for rate in rates {
         prop_assert!(
-            rate.is_finite() && *rate >= floor && *rate <= CAP,
+            rate.is_finite() && *rate >= floor && *rate <= FULL_RATE,
             "{who}: {rates:?}"
         );
     }
@@ -33,7 +34,7 @@ fn assert_spent(rates: &[f64], budget: f64, who: &str) -> Result<(), TestCaseErr
         return Ok(());
     }
     let sum: f64 = rates.iter().sum();
-    let usable = budget.min(CAP * rates.len() as f64);
+    let usable = budget.min(FULL_RATE * rates.len() as f64);
     prop_assert!(
         (sum - usable).abs() < 1e-9,
         "{who}: {sum} of {usable}: {rates:?}"
@@ -48,7 +49,7 @@ const RULES: [(&str, Rule); 4] = [
     ("cut", sharing::cut),
     ("demand_first", sharing::demand_first),
     ("raise", |wishes, budget| {
-        sharing::raise(&vec![budget.min(CAP); wishes.len()], wishes, budget)
+        sharing::raise(&vec![budget.min(FULL_RATE); wishes.len()], wishes, budget)
     }),
 ];
 
@@ -203,7 +204,7 @@ proptest! {
             }
         } else {
             // One factor of at least 1 for all that are not full.
-            let factors = rates.iter().zip(&demands).filter(|(rate, _)| **rate < CAP - 1e-9);
+            let factors = rates.iter().zip(&demands).filter(|(rate, _)| **rate < FULL_RATE - 1e-9);
             let factors: Vec<f64> = factors.map(|(rate, demand)| rate / demand).collect();
             for factor in &factors {
                 prop_assert!(*factor >= 1.0 - 1e-9 && (factor - factors[0]).abs() < 1e-9, "{factors:?}");

@@ -5,6 +5,7 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
+use zhuyi_core::camera::FULL_RATE;
 use zhuyi_core::{ActorId, Manoeuvre, Pose, SimTime};
 use zhuyi_estimator::Estimator;
 use zhuyi_perception::Eye;
@@ -16,9 +17,6 @@ use zhuyi_world::{Progress, Side};
 
 use super::Run;
 use crate::shell;
-
-/// [Hz] the rate that the paper compares with.
-const FULL_RATE: f64 = 30.0;
 
 /// One drive.
 #[derive(Debug, Serialize, JsonSchema)]

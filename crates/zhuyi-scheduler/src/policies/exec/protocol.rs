@@ -21,8 +21,9 @@
 //!
 //! Numbers are written so that they read back exactly. Left out: the offline demand, which knows the true future.
 
-use crate::{Situation, sharing};
+use crate::Situation;
 use serde::{Deserialize, Serialize};
+use zhuyi_core::camera::FULL_RATE;
 
 #[derive(Serialize)]
 struct Question<'a> {
@@ -68,7 +69,7 @@ pub(super) fn question(situation: &Situation<'_>) -> Result<Vec<u8>, serde_json:
         time_s: situation.time,
         budget_fps: situation.budget,
         floor_fps: situation.floor(),
-        cap_fps: sharing::CAP,
+        cap_fps: FULL_RATE,
         ego_speed_mps: situation.ego_speed,
         cameras: cameras.collect(),
     })?;
