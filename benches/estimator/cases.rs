@@ -11,6 +11,7 @@
 //! In all but the whole run the ego drives at 25 m/s and its camera at 30 FPR; gaps are bumper to bumper.
 
 use std::hint::black_box;
+use std::sync::Arc;
 
 use zhuyi_core::{
     Across, ActorId, Along, Footprint, Forecast, FrameRates, LaneFrame, Road, Trajectory,
@@ -254,7 +255,7 @@ pub fn whole_run() -> Vec<Case> {
 
 /// Where the ego is at each step of a run.
 struct Drive {
-    road: Road,
+    road: Arc<Road>,
     trace: Trace,
     egos: Vec<(f64, Ego)>,
 }

@@ -1,5 +1,7 @@
 //! Arbitration: one command out of car following, hard braking and evasion.
 
+use std::sync::Arc;
+
 use zhuyi_core::idm::{Idm, Leader};
 use zhuyi_core::{
     Body, Command, Forecast, Lane, LaneChange, LaneFrame, Manoeuvre, Road, SimTime, Track,
@@ -13,9 +15,9 @@ use crate::steer;
 
 /// The planner at work: its parameters, the lane it keeps, and what it has begun.
 #[derive(Clone, Debug)]
-pub struct Planner<'a> {
-    params: &'a Params,
-    road: &'a Road,
+pub struct Planner {
+    params: Params,
+    road: Arc<Road>,
     desired_speed: f64,
     driver: Idm,
     path: LaneChange,
@@ -26,12 +28,18 @@ pub struct Planner<'a> {
     along_lane: Vec<Track>,
 }
 
-impl<'a> Planner<'a> {
+impl Planner {
     /// A planner that keeps `lane` and wants `desired_speed` [m/s].
-    pub fn new(params: &'a Params, road: &'a Road, lane: Lane, desired_speed: f64) -> Self {
+    pub fn new(
+        params: &Params,
+        road: impl Into<Arc<Road>>,
+        lane: Lane,
+        desired_speed: f64,
+    ) -> Self {
+        let road = road.into();
         let path = LaneChange::none(0.0, road.lane_center(lane));
         Self {
-            params,
+            params: params.clone(),
             road,
             desired_speed,
             driver: params.driver(desired_speed),
@@ -60,7 +68,7 @@ impl<'a> Planner<'a> {
         forecasts: &[Forecast],
     ) -> Command {
         let time = now.seconds();
-        let lane = LaneFrame::at(self.road, ego.road.d);
+        let lane = LaneFrame::at(&self.road, ego.road.d);
         let (accel, manoeuvre) = if lane.is_reference_line() {
             self.react(ego, tracks, forecasts, time)
         } else {
@@ -73,7 +81,7 @@ impl<'a> Planner<'a> {
         };
         let curvature = steer::curvature(
             ego,
-            self.road,
+            &self.road,
             self.path.at(time),
             self.params.lateral_gain,
             self.params.heading_gain,
@@ -123,7 +131,7 @@ impl<'a> Planner<'a> {
 
     /// Finds the tracks that are in the way of the path that the planner is on.
     fn look(&mut self, ego: &Body, tracks: &[Track], forecasts: &[Forecast], time: f64) {
-        let (evading, params) = (self.evading(time), self.params);
+        let (evading, params) = (self.evading(time), &self.params);
         let is_in_the_way = |track: &Track, forecast: &Forecast| {
             let reach = reach(track, ego, params.lateral_margin);
             if evading {
@@ -152,8 +160,8 @@ impl<'a> Planner<'a> {
             return None;
         }
         let situation = Situation {
-            params: self.params,
-            road: self.road,
+            params: &self.params,
+            road: &self.road,
             ego,
             tracks,
             forecasts,

@@ -1,5 +1,7 @@
 //! A scenario and a system as meant: checked, in SI.
 
+use std::sync::Arc;
+
 use zhuyi_core::{Lane, Road, Segment, SimTime};
 use zhuyi_estimator::Params as Estimator;
 use zhuyi_perception::Perception;
@@ -17,7 +19,7 @@ pub struct Scenario {
     /// One sentence for lists.
     pub title: String,
     /// The road.
-    pub road: Road,
+    pub road: Arc<Road>,
     /// What the road's reference line was laid out from, to show it.
     pub segments: Vec<Segment>,
     /// The ego's start.

@@ -5,15 +5,15 @@ use zhuyi_perception::Truth;
 use zhuyi_world::World;
 
 /// The world at an instant of the last step.
-pub(crate) struct Instant<'w, 'a> {
-    world: &'w World<'a>,
+pub(crate) struct Instant<'w> {
+    world: &'w World,
     time: SimTime,
     ego: Pose,
 }
 
-impl<'w, 'a> Instant<'w, 'a> {
+impl<'w> Instant<'w> {
     /// Now.
-    pub fn of(world: &'w World<'a>) -> Self {
+    pub fn of(world: &'w World) -> Self {
         let scene = world.scene();
         Self {
             world,
@@ -23,7 +23,7 @@ impl<'w, 'a> Instant<'w, 'a> {
     }
 }
 
-impl Truth for Instant<'_, '_> {
+impl Truth for Instant<'_> {
     fn go_on(&mut self, to: SimTime) {
         (self.time, self.ego) = (to, self.world.ego_pose_at(to));
     }

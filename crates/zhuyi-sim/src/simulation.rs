@@ -24,12 +24,12 @@ pub const STEP: SimTime = SimTime::from_millis(10);
 pub struct Simulation<'a> {
     scenario: &'a Scenario,
     system: &'a System,
-    world: World<'a>,
+    world: World,
     eyes: Eyes,
     /// None where a frame takes its period.
     pipeline: Option<Pipeline>,
     tracker: Tracker,
-    planner: Planner<'a>,
+    planner: Planner,
     /// Whether a backup system brakes.
     backup: bool,
     forecasts: Vec<Forecast>,
@@ -49,7 +49,7 @@ impl<'a> Simulation<'a> {
         let starts = starts::starts(scenario, system, draws);
         let starts = starts.unwrap_or_else(|_| starts::meant(scenario, system));
         let world = World::new(
-            &scenario.road,
+            scenario.road.clone(),
             &system.vehicle,
             &scenario.actors,
             starts::ego(scenario),
@@ -73,7 +73,7 @@ impl<'a> Simulation<'a> {
             tracker,
             planner: Planner::new(
                 &system.planner,
-                &scenario.road,
+                scenario.road.clone(),
                 scenario.ego.lane,
                 scenario.ego.speed,
             ),
@@ -99,7 +99,7 @@ impl<'a> Simulation<'a> {
 
     /// One step of the loop. Returns the first contact of the ego, if there is one.
     pub fn tick(&mut self) -> Option<Contact> {
-        let (scene, road) = (self.world.scene(), &self.scenario.road);
+        let (scene, road) = (self.world.scene(), &*self.scenario.road);
         self.tracker.tell_near(scene.ego.road.s, scene.time, road);
         let tracks = self.tracker.tracks(scene.time);
         forecast(self.system.predictor, tracks, road, &mut self.forecasts);

@@ -1,5 +1,7 @@
 //! The ego and the actors on the road, moved in fixed steps.
 
+use std::sync::Arc;
+
 use zhuyi_core::{ActorId, Body, Command, Footprint, Point, Pose, Road, Scene, SimTime};
 
 use crate::actor::Mover;
@@ -38,10 +40,10 @@ impl Start {
 
 /// The truth, and the way it moves.
 #[derive(Clone, Debug)]
-pub struct World<'a> {
-    road: &'a Road,
-    vehicle: &'a Vehicle,
-    actors: &'a [Actor],
+pub struct World {
+    road: Arc<Road>,
+    vehicle: Vehicle,
+    actors: Vec<Actor>,
     /// State at the start of the last step; its motion holds until `now`.
     ego: Ego,
     /// Where its steering leads during that step.
@@ -55,44 +57,57 @@ pub struct World<'a> {
     previous: Scene,
 }
 
-impl<'a> World<'a> {
+impl World {
     /// Everything at its start; `starts` has one entry per actor.
     pub fn new(
-        road: &'a Road,
-        vehicle: &'a Vehicle,
-        actors: &'a [Actor],
+        road: impl Into<Arc<Road>>,
+        vehicle: &Vehicle,
+        actors: &[Actor],
         ego: Ego,
         starts: &[Start],
     ) -> Self {
-        let movers: Vec<_> = actors
-            .iter()
-            .zip(starts)
-            .map(|(a, start)| Mover::new(a, road, start.s, start.speed))
-            .collect();
-        let bodies = actors
-            .iter()
-            .zip(&movers)
-            .map(|(a, m)| beside(ego.road.s, m.body(a.footprint, road, 0.0), road))
-            .collect();
+        let road = road.into();
         let turn = vehicle.turn(ego.steering);
-        let scene = Scene {
+        let empty = Scene {
             time: SimTime::ZERO,
-            ego: ego.body(vehicle, turn, road),
-            actors: bodies,
+            ego: ego.body(vehicle, turn, &road),
+            actors: Vec::with_capacity(actors.len()),
         };
-        Self {
+        let mut world = Self {
             road,
-            vehicle,
-            actors,
+            vehicle: vehicle.clone(),
+            actors: actors.to_vec(),
             ego,
             turn,
             ego_now: ego,
-            movers,
+            movers: Vec::with_capacity(actors.len()),
             before: SimTime::ZERO,
             now: SimTime::ZERO,
-            previous: scene.clone(),
-            scene,
-        }
+            previous: empty.clone(),
+            scene: empty,
+        };
+        world.restart(ego, starts);
+        world
+    }
+
+    /// Puts everything back to its start, with other starts; `starts` has one entry per actor.
+    pub fn restart(&mut self, ego: Ego, starts: &[Start]) {
+        (self.before, self.now) = (SimTime::ZERO, SimTime::ZERO);
+        (self.ego, self.ego_now) = (ego, ego);
+        self.turn = self.vehicle.turn(ego.steering);
+        let of = self.actors.iter().zip(starts);
+        self.movers.clear();
+        (self.movers)
+            .extend(of.map(|(actor, start)| Mover::new(actor, &self.road, start.s, start.speed)));
+        let mut actors = std::mem::take(&mut self.scene.actors);
+        self.fill(SimTime::ZERO, &ego, &mut actors);
+        self.scene = Scene {
+            time: SimTime::ZERO,
+            ego: ego.body(&self.vehicle, self.turn, &self.road),
+            actors,
+        };
+        (self.previous.time, self.previous.ego) = (self.scene.time, self.scene.ego);
+        self.previous.actors.clone_from(&self.scene.actors);
     }
 
     /// The truth now.
@@ -104,17 +119,17 @@ impl<'a> World<'a> {
     pub fn step(&mut self, command: Command, dt: SimTime) -> Option<Contact> {
         self.finish_step();
         let seconds = dt.seconds();
-        for (i, (mover, actor)) in self.movers.iter_mut().zip(self.actors).enumerate() {
+        for (i, (mover, actor)) in self.movers.iter_mut().zip(&self.actors).enumerate() {
             mover.decide(
                 ActorId(i as u32),
                 actor,
-                self.road,
+                &self.road,
                 &self.scene,
                 self.now.seconds(),
                 seconds,
             );
         }
-        self.ego.actuate(self.vehicle, command, seconds);
+        self.ego.actuate(&self.vehicle, command, seconds);
         self.turn = self.vehicle.turn(self.ego.steering);
         self.now += dt;
         self.ego_now = self.ego_at(self.now);
@@ -123,7 +138,7 @@ impl<'a> World<'a> {
         self.fill(self.now, &self.ego_now, &mut actors);
         self.scene = Scene {
             time: self.now,
-            ego: self.ego_now.body(self.vehicle, self.turn, self.road),
+            ego: self.ego_now.body(&self.vehicle, self.turn, &self.road),
             actors,
         };
         self.contact()
@@ -131,7 +146,7 @@ impl<'a> World<'a> {
 
     /// How far the manoeuvres of each actor have come, in their order: up to now, or, where the last step was cut short by a
     /// contact, up to its start.
-    pub fn progress(mut self, cut_short: bool) -> Vec<Vec<Progress>> {
+    pub fn progress(&mut self, cut_short: bool) -> Vec<Vec<Progress>> {
         if !cut_short {
             self.finish_step();
             let now = self.now.seconds();
@@ -147,7 +162,7 @@ impl<'a> World<'a> {
         if dt > 0.0 {
             self.ego = self.ego_now;
             for (mover, body) in self.movers.iter_mut().zip(&self.scene.actors) {
-                mover.arrive(body.road.s, self.road, dt);
+                mover.arrive(body.road.s, &self.road, dt);
             }
         }
         self.before = self.now;
@@ -155,14 +170,14 @@ impl<'a> World<'a> {
 
     fn ego_at(&self, time: SimTime) -> Ego {
         let elapsed = (time - self.before).seconds();
-        self.ego.advanced(self.turn, self.road, elapsed)
+        self.ego.advanced(self.turn, &self.road, elapsed)
     }
 
     fn fill(&self, time: SimTime, ego: &Ego, bodies: &mut Vec<Body>) {
         let dt = (time - self.before).seconds();
         let movers = self.actors.iter().zip(&self.movers);
         bodies.clear();
-        bodies.extend(movers.map(|(a, m)| m.body(a.footprint, self.road, dt)));
+        bodies.extend(movers.map(|(a, m)| m.body(a.footprint, &self.road, dt)));
         if self.road.lap().is_some() {
             for body in bodies {
                 body.road.s = self.road.nearest_lap(body.road.s, ego.road.s);
@@ -172,17 +187,17 @@ impl<'a> World<'a> {
 
     /// The ego at an instant of the last step.
     pub fn ego_pose_at(&self, time: SimTime) -> Pose {
-        self.ego_at(time).pose(self.road)
+        self.ego_at(time).pose(&self.road)
     }
 
     /// An actor at an instant of the last step.
     pub fn actor_at(&self, actor: usize, time: SimTime) -> Body {
         let dt = (time - self.before).seconds();
-        let body = self.movers[actor].body(self.actors[actor].footprint, self.road, dt);
+        let body = self.movers[actor].body(self.actors[actor].footprint, &self.road, dt);
         if self.road.lap().is_none() {
             return body;
         }
-        beside(self.ego_at(time).road.s, body, self.road)
+        beside(self.ego_at(time).road.s, body, &self.road)
     }
 
     /// The box of an actor, and about where it is during the last step: a point, and how far from it [m] its centre is at most.
@@ -198,7 +213,7 @@ impl<'a> World<'a> {
     pub fn scene_at(&self, time: SimTime, scene: &mut Scene) {
         let ego = self.ego_at(time);
         scene.time = time;
-        scene.ego = ego.body(self.vehicle, self.turn, self.road);
+        scene.ego = ego.body(&self.vehicle, self.turn, &self.road);
         self.fill(time, &ego, &mut scene.actors);
     }
 
@@ -230,7 +245,7 @@ impl<'a> World<'a> {
     /// Whether a contact that the last step returned is one from behind: the actor closes in on the rear half of the ego.
     pub fn is_from_behind(&self, contact: &Contact) -> bool {
         let time = self.contact_time(contact);
-        let ego = self.ego_at(time).body(self.vehicle, self.turn, self.road);
+        let ego = self.ego_at(time).body(&self.vehicle, self.turn, &self.road);
         let other = self.actor_at(contact.actor.index(), time);
         let course = Pose {
             heading: ego.pose.heading + self.turn.slip,
@@ -265,9 +280,9 @@ impl<'a> World<'a> {
                 },
                 scene.ego.speed,
             ),
-            yaw_rate: ego.yaw_rate(self.vehicle),
+            yaw_rate: ego.yaw_rate(&self.vehicle),
         }];
-        bodies.extend(scene.actors.iter().zip(self.actors).enumerate().map(
+        bodies.extend(scene.actors.iter().zip(&self.actors).enumerate().map(
             |(i, (body, actor))| CrashBody {
                 actor: Some(ActorId(i as u32)),
                 footprint: body.footprint,

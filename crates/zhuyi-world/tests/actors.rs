@@ -89,7 +89,7 @@ fn drive(
         .iter()
         .map(|a| Start::of(a, &ego, &vehicle))
         .collect();
-    let mut world = World::new(road, &vehicle, actors, ego, &starts);
+    let mut world = World::new(road.clone(), &vehicle, actors, ego, &starts);
     look(world.scene());
     for step in 0..(seconds * 100.0) as i64 {
         let now = STEP.seconds() * step as f64;
@@ -419,7 +419,7 @@ fn law_the_scene_within_a_step_joins_its_ends() {
         steering: 0.0,
     };
     let starts = [Start::of(&actors[0], &ego, &vehicle)];
-    let mut world = World::new(&road, &vehicle, &actors, ego, &starts);
+    let mut world = World::new(road.clone(), &vehicle, &actors, ego, &starts);
     for _ in 0..50 {
         let before = world.scene().clone();
         world.step(

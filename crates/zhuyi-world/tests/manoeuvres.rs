@@ -79,7 +79,7 @@ fn drive(
     };
     let starts = [Start::of(&actor, &ego, &vehicle)];
     let actors = [actor];
-    let mut world = World::new(&road, &vehicle, &actors, ego, &starts);
+    let mut world = World::new(road.clone(), &vehicle, &actors, ego, &starts);
     let mut bodies = vec![world.scene().actors[0]];
     for _ in 0..(seconds / DT).round() as usize {
         let stand = Command {

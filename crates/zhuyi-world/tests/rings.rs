@@ -92,7 +92,7 @@ fn drive(
         .iter()
         .map(|a| Start::of(a, &ego, &vehicle))
         .collect();
-    let mut world = World::new(road, &vehicle, actors, ego, &starts);
+    let mut world = World::new(road.clone(), &vehicle, actors, ego, &starts);
     look(world.scene());
     let command = Command {
         accel: 0.0,

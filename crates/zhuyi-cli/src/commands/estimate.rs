@@ -4,6 +4,7 @@ mod text;
 
 use std::fs;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use clap::Args;
 use zhuyi_core::{ActorId, FrameRates, Road};
@@ -91,7 +92,7 @@ pub struct Arguments {
 pub struct Estimate {
     log: Log,
     egos: Egos,
-    road: Option<Road>,
+    road: Option<Arc<Road>>,
     system: System,
     rates: FrameRates,
     /// What was typed, to say what to type next.
@@ -313,7 +314,7 @@ impl Task for Estimate {
         let rig: Vec<Watch<'_>> = rig.map(watch).collect();
         let estimator = Estimator::new(system.estimator.clone());
         let evaluated =
-            |ego, limits| evaluated((&log, ego), road.as_ref(), &estimator, &rig, limits);
+            |ego, limits| evaluated((&log, ego), road.as_deref(), &estimator, &rig, limits);
         let scene = text::Scene {
             log: &log,
             rig: &rig,

@@ -50,7 +50,7 @@ pub(crate) fn scenario(root: &Node, name: &str, system: Option<&System>) -> Opti
         Some(Scenario {
             name: name.to_string(),
             title: title?,
-            road: layout.road,
+            road: layout.road.into(),
             segments: layout.segments,
             ego: start?,
             actors: actors.into_iter().collect::<Option<_>>()?,

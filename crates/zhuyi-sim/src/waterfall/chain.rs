@@ -168,7 +168,7 @@ impl Chain<'_> {
     /// The row from which on the planner, told of it exactly and at once, would brake hard or evade up to the end.
     fn danger(&self) -> Option<usize> {
         let Scenario { road, ego, .. } = self.scenario;
-        let mut planner = Planner::new(&self.system.planner, road, ego.lane, ego.speed);
+        let mut planner = Planner::new(&self.system.planner, road.clone(), ego.lane, ego.speed);
         let hard: Vec<bool> = self
             .trace
             .rows()

@@ -1,5 +1,7 @@
 //! The report of a recorded trace.
 
+use std::sync::Arc;
+
 use zhuyi_core::{ActorId, FrameRates, Road};
 use zhuyi_log::Log;
 use zhuyi_report::Recording;
@@ -22,7 +24,7 @@ pub struct Trace {
     text: String,
     log: Log,
     ego: ActorId,
-    road: Option<Road>,
+    road: Option<Arc<Road>>,
     system: System,
     rates: FrameRates,
 }
@@ -69,7 +71,7 @@ impl Trace {
             name: self.name.clone(),
             log: &self.log,
             ego: self.ego,
-            road: self.road.as_ref(),
+            road: self.road.as_deref(),
             system: &self.system,
             rates: &self.rates,
             version: env!("CARGO_PKG_VERSION"),
