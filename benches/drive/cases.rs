@@ -18,8 +18,7 @@ use zhuyi_estimator::Estimator;
 use zhuyi_lab::batch::{Batch, Named, Plan};
 use zhuyi_lab::schema::SCHEMA;
 use zhuyi_scenario::{Scenario, Source, System, embedded, load};
-use zhuyi_scheduler::policy;
-use zhuyi_sim::{Allocation, Draws, Hindsight, Run, STEP, Scheduled, Simulation};
+use zhuyi_sim::{Hindsight, RunRecord, RunSpec, STEP, Simulation};
 
 /// The scenario of the benches.
 const TEXT: &str = include_str!("cut-in-of-four.ron");
@@ -95,32 +94,26 @@ impl Drive {
         (self.scenario.duration.nanos() / STEP.nanos()) as u32
     }
 
-    fn simulation(&self) -> Simulation<'_> {
-        Simulation::new(&self.scenario, &self.system, &self.rates, self.draws())
+    fn spec(&self) -> RunSpec {
+        let spec = RunSpec::new(self.scenario.clone(), self.system.clone());
+        spec.at_rates(self.rates.clone())
     }
 
-    fn draws(&self) -> Draws<'_> {
-        Draws {
-            root: 0,
-            scenario: &self.scenario.name,
-            seed: 0,
-        }
+    fn run(&self) -> RunRecord {
+        self.spec().run_fixed()
     }
 
-    fn run(&self) -> Run {
-        self.simulation().run()
-    }
-
-    fn estimate(&self, run: &Run) {
+    fn estimate(&self, run: &RunRecord) {
         let hindsight = Hindsight::new(&run.trace, &self.scenario.road, &self.system, &self.rates);
         black_box(hindsight.peaks(black_box(&self.estimator)));
     }
 
     fn tick(&'static self) -> Box<dyn FnMut()> {
-        let (mut simulation, steps) = (self.simulation(), self.steps());
+        let (mut simulation, steps) = (Simulation::new(self.spec()), self.steps());
         Box::new(move || {
             for _ in 0..steps {
-                assert!(black_box(simulation.tick()).is_none(), "it collided");
+                let contact = black_box(simulation.step()).expect("rates that stay");
+                assert!(contact.is_none(), "it collided");
             }
         })
     }
@@ -138,13 +131,8 @@ impl Drive {
 
     fn under(&'static self, name: &'static str) -> Box<dyn FnMut()> {
         Box::new(move || {
-            let allocation = Allocation {
-                policy: policy(name).expect("a policy"),
-                budget: 60.0,
-            };
-            let draws = self.draws();
-            let run = Scheduled::new(&self.scenario, &self.system, draws, allocation).run();
-            black_box(run.expect("a decision at each time"));
+            let spec = self.spec().under_policy(name, 60.0).expect("a policy");
+            black_box(spec.run().expect("a decision at each time"));
         })
     }
 

@@ -21,7 +21,7 @@ use zhuyi_estimator::rivals::Rivals;
 use zhuyi_estimator::samples::{Sample, trajectory};
 use zhuyi_estimator::{Ego, Estimate, Estimator, Future, Params, Recording};
 use zhuyi_scenario::{Source, embedded, load};
-use zhuyi_sim::{Draws, Simulation, Trace, recorded};
+use zhuyi_sim::{RunSpec, Trace, recorded};
 
 /// A question, or some that belong together.
 pub struct Case {
@@ -268,13 +268,9 @@ impl Drive {
         let (scenario, system) =
             load(&Source::new("cut-out-fast.ron", text), &system, &[]).expect("a valid scenario");
         let rates = FrameRates::new(vec![30.0; system.perception.eyes.len()]);
-        let draws = Draws {
-            root: 0,
-            scenario: name,
-            seed: 0,
-        };
-        let trace = Simulation::new(&scenario, &system, &rates, draws)
-            .run()
+        let trace = RunSpec::new(scenario.clone(), system.clone())
+            .at_rates(rates.clone())
+            .run_fixed()
             .trace;
         let ego = |row: zhuyi_sim::trace::Row<'_>| (row.time.seconds(), Ego::from(row.ego));
         let egos = trace.rows().map(ego).collect();

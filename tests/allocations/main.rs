@@ -8,7 +8,7 @@ use allocation_counter::measure;
 use zhuyi_core::FrameRates;
 use zhuyi_estimator::Estimator;
 use zhuyi_scenario::{Scenario, Setting, Source, System, embedded, load};
-use zhuyi_sim::{Draws, Hindsight, STEP, Simulation};
+use zhuyi_sim::{Hindsight, RunSpec, STEP, Simulation};
 
 const BENCH: (&str, &str) = (
     "cut-in-of-four",
@@ -36,21 +36,19 @@ fn rates(system: &System) -> FrameRates {
     FrameRates::new(vec![30.0; system.perception.eyes.len()])
 }
 
-fn start<'a>(scenario: &'a Scenario, system: &'a System) -> Simulation<'a> {
-    let draws = Draws {
-        root: 0,
-        scenario: &scenario.name,
-        seed: 0,
-    };
-    Simulation::new(scenario, system, &rates(system), draws)
+fn spec(scenario: &Scenario, system: &System) -> RunSpec {
+    RunSpec::new(scenario.clone(), system.clone()).at_rates(rates(system))
 }
 
 /// How often each tick after the first second allocates.
 fn of_ticks(scenario: &Scenario, system: &System) -> Vec<u64> {
-    let mut simulation = start(scenario, system);
+    let mut simulation = Simulation::new(spec(scenario, system));
     let ticks = scenario.duration.nanos() / STEP.nanos();
-    let tick = |_| measure(|| assert!(simulation.tick().is_none(), "it collided")).count_total;
-    let counts: Vec<u64> = (0..ticks).map(tick).collect();
+    let mut tick = || {
+        let contact = simulation.step().expect("rates that stay");
+        assert!(contact.is_none(), "it collided");
+    };
+    let counts: Vec<u64> = (0..ticks).map(|_| measure(&mut tick).count_total).collect();
     counts[FIRST_SECOND..].to_vec()
 }
 
@@ -75,7 +73,7 @@ fn law_no_tick_allocates_but_to_believe_in_one_more_actor() {
 fn law_the_estimate_of_more_steps_allocates_no_more() {
     let count = |duration: &str| {
         let (scenario, system) = read(BENCH.0, BENCH.1, &[duration]);
-        let run = start(&scenario, &system).run();
+        let run = spec(&scenario, &system).run_fixed();
         let hindsight = Hindsight::new(&run.trace, &scenario.road, &system, &rates(&system));
         let estimator = Estimator::new(system.estimator.clone());
         measure(|| drop(hindsight.peaks(&estimator))).count_total

@@ -13,9 +13,8 @@ use zhuyi_core::geometry::wrap_angle;
 use zhuyi_core::{Body, Footprint, Frenet, Pose, Road, SimTime};
 use zhuyi_estimator::Estimator;
 use zhuyi_scenario::{Scenario, System};
-use zhuyi_scheduler::policy;
 use zhuyi_sim::trace::Row;
-use zhuyi_sim::{Allocation, Asked, Draws, Hindsight, Outcome, Run, STEP, Scheduled, Simulation};
+use zhuyi_sim::{Asked, Hindsight, Outcome, RunRecord, RunSpec, STEP};
 
 use crate::case::{Case, Drive};
 
@@ -48,7 +47,7 @@ pub fn drive(
     system: &System,
     estimated: bool,
 ) -> Result<Told, String> {
-    let (run, asked) = run(case, scenario, system)?;
+    let run = run(case, scenario, system)?;
     numbers(&run, &scenario.road)?;
     ending(&run, scenario)?;
     boxes(&run)?;
@@ -57,7 +56,7 @@ pub fn drive(
     jumps(&run, half_road)?;
     let mut egos = run.trace.rows().map(|row| row.ego.road.d.abs());
     let lost = egos.any(|d| d > half_road + LOST);
-    let mut estimates = in_the_loop(&asked)?;
+    let mut estimates = in_the_loop(&run.decisions)?;
     if estimated {
         estimates += hindsight(&run, &scenario.road, case, system)?;
     }
@@ -70,31 +69,22 @@ pub fn drive(
 }
 
 /// Drives a case.
-pub fn run(case: &Case, scenario: &Scenario, system: &System) -> Result<(Run, Vec<Asked>), String> {
-    let draws = Draws {
-        root: 0,
-        scenario: &scenario.name,
-        seed: case.seed,
+pub fn run(case: &Case, scenario: &Scenario, system: &System) -> Result<RunRecord, String> {
+    let spec = RunSpec::new(scenario.clone(), system.clone()).with_seed(case.seed);
+    let spec = match case.drive {
+        Drive::Fixed(_) => spec.at_rates(case.rates()),
+        Drive::Policy(name, budget) => spec
+            .under_policy(name, budget)
+            .map_err(|error| error.to_string())?,
     };
-    match case.drive {
-        Drive::Fixed(_) => {
-            let run = Simulation::new(scenario, system, &case.rates(), draws).run();
-            Ok((run, Vec::new()))
-        }
-        Drive::Policy(name, budget) => {
-            let policy = policy(name).map_err(|error| error.to_string())?;
-            let allocation = Allocation { policy, budget };
-            let scheduled = Scheduled::new(scenario, system, draws, allocation);
-            scheduled.run().map_err(|error| error.to_string())
-        }
-    }
+    spec.run().map_err(|error| error.to_string())
 }
 
 fn bodies<'a>(row: &Row<'a>) -> impl Iterator<Item = &'a Body> + use<'a> {
     std::iter::once(row.ego).chain(row.actors)
 }
 
-fn numbers(run: &Run, road: &Road) -> Result<(), String> {
+fn numbers(run: &RunRecord, road: &Road) -> Result<(), String> {
     for row in run.trace.rows() {
         for (place, body) in bodies(&row).enumerate() {
             let Pose { x, y, heading } = body.pose;
@@ -135,11 +125,11 @@ fn numbers(run: &Run, road: &Road) -> Result<(), String> {
 }
 
 /// Which row and body.
-fn at(run: &Run, row: &Row<'_>, place: usize) -> String {
+fn at(run: &RunRecord, row: &Row<'_>, place: usize) -> String {
     format!("at {} s `{}`", row.time.seconds(), run.trace.names()[place])
 }
 
-fn ending(run: &Run, scenario: &Scenario) -> Result<(), String> {
+fn ending(run: &RunRecord, scenario: &Scenario) -> Result<(), String> {
     let Some(last) = run.trace.rows().last() else {
         return Err("no row".to_string());
     };
@@ -184,7 +174,7 @@ fn gap(one: &Body, other: &Body) -> f64 {
     along(one, other).max(along(other, one))
 }
 
-fn boxes(run: &Run) -> Result<(), String> {
+fn boxes(run: &RunRecord) -> Result<(), String> {
     for row in run.trace.rows() {
         for (place, actor) in row.actors.iter().enumerate() {
             let gap = gap(row.ego, actor);
@@ -203,7 +193,7 @@ fn boxes(run: &Run) -> Result<(), String> {
     Ok(())
 }
 
-fn touch(run: &Run, road: &Road) -> Result<(), String> {
+fn touch(run: &RunRecord, road: &Road) -> Result<(), String> {
     let Outcome::Collision(collision) = &run.outcome else {
         return Ok(());
     };
@@ -221,7 +211,7 @@ fn touch(run: &Run, road: &Road) -> Result<(), String> {
 
 /// [m] how far a step may take a corner by turning: by twice what the last one did, or back into the lane at once, as an actor
 /// turns that begins another lane change half-way.
-fn turning(run: &Run, road: &Road, place: usize) -> f64 {
+fn turning(run: &RunRecord, road: &Road, place: usize) -> f64 {
     let body = |row: usize| {
         *bodies(&run.trace.row(row))
             .nth(place)
@@ -235,7 +225,7 @@ fn turning(run: &Run, road: &Road, place: usize) -> f64 {
     (2.0 * turn).max(askew) * now.footprint.length.hypot(now.footprint.width) / 2.0
 }
 
-fn jumps(run: &Run, half_road: f64) -> Result<(), String> {
+fn jumps(run: &RunRecord, half_road: f64) -> Result<(), String> {
     let mut rows = run.trace.rows();
     let Some(mut before) = rows.next() else {
         return Err("no row".to_string());
@@ -281,7 +271,7 @@ fn in_the_loop(asked: &[Asked]) -> Result<usize, String> {
     Ok(asked.len())
 }
 
-fn hindsight(run: &Run, road: &Road, case: &Case, system: &System) -> Result<usize, String> {
+fn hindsight(run: &RunRecord, road: &Road, case: &Case, system: &System) -> Result<usize, String> {
     let estimator = Estimator::new(system.estimator.clone());
     let hindsight = Hindsight::new(&run.trace, road, system, &case.rates());
     let mut count = 0;

@@ -53,7 +53,7 @@ fn law_what_is_late_or_lost_changes_a_drive_and_nothing_of_its_start() {
     ] {
         let changed = drive(&[setting]);
         assert_ne!(calm.trace, changed.trace, "{setting}");
-        let first = |run: &zhuyi_sim::Run| format!("{:?}", run.trace.rows().next());
+        let first = |run: &zhuyi_sim::RunRecord| format!("{:?}", run.trace.rows().next());
         assert_eq!(first(&calm), first(&changed), "{setting}");
     }
 }

@@ -35,7 +35,7 @@ mod turned;
 
 use zhuyi_core::FrameRates;
 use zhuyi_scenario::{Scenario, Setting, Source, System, embedded, load};
-use zhuyi_sim::{Draws, Run, Simulation};
+use zhuyi_sim::{RunRecord, RunSpec};
 
 /// An embedded scenario and the default system, with settings.
 fn read(name: &str, settings: &[&str]) -> (Scenario, System) {
@@ -53,14 +53,12 @@ fn read(name: &str, settings: &[&str]) -> (Scenario, System) {
 }
 
 /// One run at the same rate on every camera.
-fn run(scenario: &Scenario, system: &System, fps: u32, seed: u64) -> Run {
+fn run(scenario: &Scenario, system: &System, fps: u32, seed: u64) -> RunRecord {
     let rates = FrameRates::new(vec![f64::from(fps); system.perception.eyes.len()]);
-    let draws = Draws {
-        root: 0,
-        scenario: &scenario.name,
-        seed,
-    };
-    Simulation::new(scenario, system, &rates, draws).run()
+    RunSpec::new(scenario.clone(), system.clone())
+        .with_seed(seed)
+        .at_rates(rates.clone())
+        .run_fixed()
 }
 
 /// How many of `seeds` collide.

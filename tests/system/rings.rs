@@ -7,7 +7,7 @@ use std::path::Path;
 use zhuyi_core::{FrameRates, LaneFrame};
 use zhuyi_estimator::Estimator;
 use zhuyi_scenario::{Scenario, Source, System, embedded, load};
-use zhuyi_sim::Hindsight;
+use zhuyi_sim::{Hindsight, RunSpec};
 
 use crate::{collisions, run};
 
@@ -130,14 +130,11 @@ fn law_laps_change_no_belief_and_no_estimate() {
     );
     let (scenario, system) = read(&text).unwrap();
     let rates = FrameRates::new(vec![10.0; system.perception.eyes.len()]);
-    let draws = zhuyi_sim::Draws {
-        root: 0,
-        scenario: "laps",
-        seed: 1,
-    };
-    let run = zhuyi_sim::Simulation::new(&scenario, &system, &rates, draws)
+    let run = RunSpec::new(scenario.clone(), system.clone())
+        .with_seed(1)
+        .at_rates(rates.clone())
         .witnessed()
-        .run();
+        .run_fixed();
     assert!(!run.collided());
     let (witness, lap) = (run.witness.as_ref().unwrap(), scenario.road.length());
     let mut believed = 0;

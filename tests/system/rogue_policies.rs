@@ -1,7 +1,9 @@
 //! Policies of a user's own that break the limits: an error that names the run, and no frame is granted.
 
+use std::sync::Arc;
+
 use zhuyi_scheduler::{Policy, PolicyError, Situation};
-use zhuyi_sim::{Allocation, Draws, Scheduled};
+use zhuyi_sim::RunSpec;
 
 use crate::read;
 
@@ -57,17 +59,9 @@ fn regress_rates_that_break_the_limits_are_an_error_that_names_the_run() {
             "gives `front_120` NaN frames per second, outside 1 to 30",
         ),
     ] {
-        let draws = Draws {
-            root: 0,
-            scenario: &scenario.name,
-            seed: 7,
-        };
-        let allocation = Allocation {
-            policy: Box::new(Rogue(rate)),
-            budget: 5.0,
-        };
-        let run = Scheduled::new(&scenario, &system, draws, allocation).run();
-        let Err(error) = run else {
+        let spec = RunSpec::new(scenario.clone(), system.clone()).with_seed(7);
+        let spec = spec.under(Arc::new(move || Box::new(Rogue(rate))), 5.0);
+        let Err(error) = spec.expect("a budget").run() else {
             panic!("{rate} was granted");
         };
         assert_eq!(

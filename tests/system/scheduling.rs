@@ -2,8 +2,7 @@
 
 use zhuyi_core::FrameRates;
 use zhuyi_scenario::{Scenario, System};
-use zhuyi_scheduler::policy;
-use zhuyi_sim::{Allocation, Asked, Draws, Run, Scheduled, Simulation, known_future};
+use zhuyi_sim::{Asked, RunRecord, RunSpec, known_future};
 
 use crate::read;
 
@@ -13,17 +12,12 @@ fn drive(
     name: &str,
     budget: f64,
     seed: u64,
-) -> (Run, Vec<Asked>) {
-    let draws = Draws {
-        root: 0,
-        scenario: &scenario.name,
-        seed,
-    };
-    let policy = policy(name).expect("a policy");
-    let allocation = Allocation { policy, budget };
-    Scheduled::new(scenario, system, draws, allocation)
-        .run()
-        .expect("no program is asked")
+) -> (RunRecord, Vec<Asked>) {
+    let spec = RunSpec::new(scenario.clone(), system.clone()).with_seed(seed);
+    let spec = spec.under_policy(name, budget).expect("a policy");
+    let mut run = spec.run().expect("no program is asked");
+    let decisions = std::mem::take(&mut run.decisions);
+    (run, decisions)
 }
 
 const POLICIES: [&str; 13] = [
@@ -76,26 +70,18 @@ fn law_every_policy_drives_within_its_budget() {
 fn hand_the_clairvoyant_gets_by_with_fifteen_frames() {
     let (scenario, system) = read("cut-out-fast", &[]);
     let rates = |hz: f64| FrameRates::new(vec![hz; system.perception.eyes.len()]);
-    let draws = Draws {
-        root: 0,
-        scenario: &scenario.name,
-        seed: 0,
-    };
-    let full = Simulation::new(&scenario, &system, &rates(30.0), draws).run();
+    let full = RunSpec::new(scenario.clone(), system.clone())
+        .at_rates(rates(30.0).clone())
+        .run_fixed();
     let future = known_future(&full.trace, &scenario.road, &system, &rates(30.0));
     let drive = |name: &str| {
-        let policy = policy(name).expect("a policy");
-        let allocation = Allocation {
-            policy,
-            budget: 15.0,
-        };
-        Scheduled::new(&scenario, &system, draws, allocation)
-            .with_known_future(future.clone())
-            .run()
-            .expect("the future is known")
+        let spec = RunSpec::new(scenario.clone(), system.clone());
+        let spec = spec.under_policy(name, 15.0).expect("a policy");
+        let run = spec.with_known_future(future.clone()).run();
+        run.expect("the future is known")
     };
     let (knows, guesses) = (drive("clairvoyant"), drive("demand-first"));
-    assert!(!knows.0.collided() && guesses.0.collided());
+    assert!(!knows.collided() && guesses.collided());
 }
 
 /// In cut-out-fast the minimum required rate is 6. Three frames a second on each camera are too few; the same fifteen,
@@ -115,15 +101,12 @@ fn hand_fifteen_frames_a_second_in_the_right_place() {
 fn law_the_estimate_alone_changes_nothing() {
     let (scenario, system) = read("cut-out-fast", &[]);
     let rates = FrameRates::new(vec![30.0; system.perception.eyes.len()]);
-    let draws = Draws {
-        root: 0,
-        scenario: &scenario.name,
-        seed: 0,
-    };
-    let plain = Simulation::new(&scenario, &system, &rates, draws).run();
-    let (watched, asked) = Scheduled::watching(&scenario, &system, &rates, draws)
-        .run()
-        .expect("no policy");
+    let plain = RunSpec::new(scenario.clone(), system.clone())
+        .at_rates(rates.clone())
+        .run_fixed();
+    let spec = RunSpec::new(scenario.clone(), system.clone());
+    let watched = spec.at_rates(rates).estimated().run_fixed();
+    let asked = &watched.decisions;
     assert_eq!(plain.trace, watched.trace);
     // Hidden behind the lead, the obstacle asks for nothing; later it does.
     let obstacle = scenario
@@ -148,12 +131,10 @@ fn law_the_estimate_alone_changes_nothing() {
 fn law_a_uniform_budget_is_a_fixed_rate() {
     let (scenario, system) = read("cut-out-fast", &["duration_s=9"]);
     let rates = FrameRates::new(vec![6.0; system.perception.eyes.len()]);
-    let draws = Draws {
-        root: 0,
-        scenario: &scenario.name,
-        seed: 1,
-    };
-    let fixed = Simulation::new(&scenario, &system, &rates, draws).run();
+    let fixed = RunSpec::new(scenario.clone(), system.clone())
+        .with_seed(1)
+        .at_rates(rates.clone())
+        .run_fixed();
     for policy in ["uniform", "static:front=6,left=6,right=6,rear=6"] {
         let (shared, _) = drive(&scenario, &system, policy, 30.0, 1);
         assert_eq!(fixed.trace, shared.trace, "{policy}");
@@ -169,12 +150,9 @@ fn hand_an_overloaded_accelerator_is_late_by_itself() {
         let compute = format!("compute=Accelerator(tops:{tops},drop_stale:false)");
         let (scenario, system) = read("cut-out-fast", &[&compute]);
         let rates = FrameRates::new(vec![10.0; system.perception.eyes.len()]);
-        let draws = Draws {
-            root: 0,
-            scenario: &scenario.name,
-            seed: 0,
-        };
-        let run = Simulation::new(&scenario, &system, &rates, draws).run();
+        let run = RunSpec::new(scenario.clone(), system.clone())
+            .at_rates(rates.clone())
+            .run_fixed();
         let processed: u64 = run.frames.iter().map(|frames| frames.processed).sum();
         (
             run.collided(),
@@ -202,7 +180,7 @@ fn hand_each_response_to_an_alarm_does_what_it_says() {
         .iter()
         .find(|asked| asked.alarms.contains(&true))
         .expect("an alarm");
-    let accel = |run: &Run, after: f64| {
+    let accel = |run: &RunRecord, after: f64| {
         let mut rows = run.trace.rows();
         let row = rows.find(|row| row.time >= first.time && row.time.seconds() > after);
         row.expect("a row").ego.accel
@@ -233,6 +211,6 @@ fn hand_each_response_to_an_alarm_does_what_it_says() {
             .iter()
             .all(|rate| (rate - 6.0).abs() < 1e-9)
     );
-    let speed = |run: &Run| run.trace.rows().nth(300).expect("3 s").ego.speed;
+    let speed = |run: &RunRecord| run.trace.rows().nth(300).expect("3 s").ego.speed;
     assert!(speed(&slower) < speed(&nothing) - 2.0);
 }

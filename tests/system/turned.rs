@@ -9,7 +9,7 @@ use zhuyi_core::boxes::distance;
 use zhuyi_core::{LaneFrame, Road};
 use zhuyi_estimator::Estimator;
 use zhuyi_scenario::{Scenario, Source, System, embedded, load};
-use zhuyi_sim::{Hindsight, Run};
+use zhuyi_sim::{Hindsight, RunRecord};
 
 use crate::{collisions, run};
 
@@ -48,7 +48,7 @@ fn lorry(length: f64, gap: f64, ego: f64, speed: f64, brake: (f64, f64)) -> Stri
 }
 
 /// [m] the least distance of the boxes of the ego and of an actor over all rows.
-fn least_distance(run: &Run) -> f64 {
+fn least_distance(run: &RunRecord) -> f64 {
     let of_row = |row: zhuyi_sim::trace::Row<'_>| {
         let ego = (row.ego.footprint, row.ego.pose);
         let distances = row
@@ -136,7 +136,7 @@ fn regress_gaps_in_a_bend_are_those_along_the_lane() {
 }
 
 /// The gap at the end is that which hard braking keeps, 2.5 m, whatever the lane.
-fn comes_to_rest_behind(run: &Run, road: &Road) {
+fn comes_to_rest_behind(run: &RunRecord, road: &Road) {
     let last = run.trace.row(run.trace.len() - 1);
     assert!(last.ego.speed < 0.1, "{:?}", last.ego);
     let frame = LaneFrame::at(road, last.ego.road.d);

@@ -1,6 +1,6 @@
 //! What one camera delivers: a frame with its detections.
 
-use crate::{ActorId, CameraId, Footprint, Frenet, Pose, SimTime};
+use crate::{ActorId, Body, CameraId, Footprint, Frenet, Pose, SimTime};
 
 /// One object found in a frame, placed on the road by the camera's calibration and the ego's localisation.
 /// Objects keep their identity between frames: association is taken as solved (see zhuyi-perception).
@@ -18,6 +18,20 @@ pub struct Detection {
     pub d_rate: f64,
     /// Its box, taken as known.
     pub footprint: Footprint,
+}
+
+impl Detection {
+    /// An actor measured without error.
+    pub const fn exact(actor: ActorId, body: &Body) -> Self {
+        Self {
+            actor,
+            road: body.road,
+            turn: body.turn,
+            s_rate: body.s_rate,
+            d_rate: body.d_rate,
+            footprint: body.footprint,
+        }
+    }
 }
 
 /// One processed image.

@@ -26,6 +26,7 @@ pub mod lane_frame;
 pub mod occlusion;
 pub mod road;
 pub mod scene;
+pub mod stages;
 pub mod time;
 pub mod track;
 

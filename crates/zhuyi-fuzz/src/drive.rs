@@ -3,7 +3,7 @@
 use zhuyi_core::SimTime;
 use zhuyi_estimator::Estimator;
 use zhuyi_scenario::{Scenario, System};
-use zhuyi_sim::{Draws, Hindsight, STEP, Scheduled};
+use zhuyi_sim::{Hindsight, RunSpec, STEP};
 
 /// Steps of a drive with five cameras and few actors.
 const STEPS: usize = 200;
@@ -26,15 +26,10 @@ pub fn drive(scenario: &Scenario, system: &System) {
     short.duration = short
         .duration
         .min(SimTime::from_nanos(steps as i64 * STEP.nanos()));
-    let draws = Draws {
-        root: 0,
-        scenario: &scenario.name,
-        seed: 0,
-    };
     let rates = &system.default_rates;
-    let (run, asked) = Scheduled::watching(&short, system, rates, draws)
-        .run()
-        .unwrap_or_else(|error| unreachable!("no program is asked: {error}"));
+    let run = RunSpec::new(short.clone(), system.clone())
+        .estimated()
+        .run_fixed();
     for row in run.trace.rows() {
         for body in std::iter::once(row.ego).chain(row.actors) {
             let numbers = [
@@ -51,7 +46,8 @@ pub fn drive(scenario: &Scenario, system: &System) {
     let hindsight = Hindsight::new(&run.trace, &scenario.road, system, rates);
     let rows = run.trace.rows().step_by(50);
     let demands = rows.flat_map(|row| hindsight.demands(&estimator, &row));
-    for demand in asked
+    for demand in run
+        .decisions
         .into_iter()
         .flat_map(|asked| asked.demands)
         .chain(demands)

@@ -23,7 +23,7 @@ use rayon::prelude::*;
 use zhuyi_core::FrameRates;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::{Chip, Compute, NAMES};
-use zhuyi_sim::{DecisionError, Draws, Simulation, known_future};
+use zhuyi_sim::{DecisionError, RunSpec, known_future};
 
 use crate::parallel::one_by_one;
 use crate::progress::Progress;
@@ -163,12 +163,11 @@ impl Allocating {
         }
     }
 
-    fn draws(&self, scenario: usize, seed: u64) -> Draws<'_> {
-        Draws {
-            root: self.root_seed,
-            scenario: &self.scenarios[scenario].name,
-            seed,
-        }
+    /// A run of a system through a scenario, by its place.
+    fn spec(&self, scenario: usize, system: &System, seed: u64) -> RunSpec {
+        RunSpec::new(self.scenarios[scenario].clone(), system.clone())
+            .with_root_seed(self.root_seed)
+            .with_seed(seed)
     }
 
     /// The system with another way to compute.
@@ -186,8 +185,7 @@ impl Allocating {
         progress: &dyn Progress,
     ) -> Result<Tally, DecisionError> {
         let one = |(scenario, seed): &(usize, u64)| {
-            let draws = self.draws(*scenario, *seed);
-            let driven = drive::drive(&self.scenarios[*scenario], system, draws, policy, &[]);
+            let driven = drive::drive(self.spec(*scenario, system, *seed), policy, Vec::new());
             progress.step();
             driven
         };
@@ -230,16 +228,9 @@ pub fn allocate(plan: &Allocating, progress: &dyn Progress) -> Result<Allocated,
     progress.start("drives", jobs.len() as u64);
     let one = |(job, (name, budget, (scenario, seed))): (usize, &(&str, &Budget, (usize, u64)))| {
         let place = job / drives.len() % budgets.len();
-        let future = futures
-            .get(job % drives.len())
-            .map_or(&[][..], Vec::as_slice);
-        let driven = drive::drive(
-            &plan.scenarios[*scenario],
-            &systems[place],
-            plan.draws(*scenario, *seed),
-            (name, budget.fps),
-            future,
-        );
+        let future = futures.get(job % drives.len()).cloned().unwrap_or_default();
+        let spec = plan.spec(*scenario, &systems[place], *seed);
+        let driven = drive::drive(spec, (name, budget.fps), future);
         progress.step();
         driven
     };
@@ -291,9 +282,9 @@ fn futures(plan: &Allocating, progress: &dyn Progress) -> Vec<Vec<Vec<f64>>> {
     let full: FrameRates = uniform(&plan.system, 30);
     let ideal = plan.with(Compute::Ideal);
     let one = |(scenario, seed): &(usize, u64)| {
-        let draws = plan.draws(*scenario, *seed);
+        let spec = plan.spec(*scenario, &ideal, *seed);
+        let run = spec.at_rates(full.clone()).run_fixed();
         let scenario = &plan.scenarios[*scenario];
-        let run = Simulation::new(scenario, &ideal, &full, draws).run();
         progress.step();
         known_future(&run.trace, &scenario.road, &ideal, &full)
     };

@@ -24,7 +24,7 @@ use rayon::prelude::*;
 use zhuyi_core::FrameRates;
 use zhuyi_estimator::{Demand, Estimator, Evasion, PhantomParams, Uncertainty};
 use zhuyi_scenario::Scenario;
-use zhuyi_sim::{Draws, Hindsight, Outcome, Simulation};
+use zhuyi_sim::{Hindsight, Outcome, RunSpec};
 
 pub use edges::Edges;
 
@@ -161,19 +161,18 @@ struct Drive<'a> {
     plan: &'a Plan,
     scenario: &'a Scenario,
     rates: FrameRates,
-    run: zhuyi_sim::Run,
+    run: zhuyi_sim::RunRecord,
 }
 
 impl<'a> Drive<'a> {
     fn new(plan: &'a Plan, scenario: usize, seed: u64) -> Self {
         let scenario = &plan.scenarios[scenario];
         let rates = uniform(&plan.system, highest(plan));
-        let draws = Draws {
-            root: plan.root_seed,
-            scenario: &scenario.name,
-            seed,
-        };
-        let run = Simulation::new(scenario, &plan.system, &rates, draws).run();
+        let run = RunSpec::new(scenario.clone(), plan.system.clone())
+            .with_root_seed(plan.root_seed)
+            .with_seed(seed)
+            .at_rates(rates.clone())
+            .run_fixed();
         Self {
             plan,
             scenario,

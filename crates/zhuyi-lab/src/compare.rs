@@ -35,7 +35,7 @@ mod page;
 use rayon::prelude::*;
 use zhuyi_core::FrameRates;
 use zhuyi_scenario::{Scenario, System};
-use zhuyi_sim::{Draws, Outcome, STEP, Simulation};
+use zhuyi_sim::{Outcome, RunSpec, STEP};
 
 use crate::parallel::one_by_one;
 use crate::progress::Progress;
@@ -164,12 +164,11 @@ fn audited(
     cell: &Cell,
 ) -> Option<Audit> {
     let scenario = &comparison.scenarios[cell.scenario];
-    let draws = Draws {
-        root: comparison.root_seed,
-        scenario: &scenario.name,
-        seed: cell.seed,
-    };
-    let run = Simulation::new(scenario, &comparison.system, rates, draws).run();
+    let run = RunSpec::new(scenario.clone(), comparison.system.clone())
+        .with_root_seed(comparison.root_seed)
+        .with_seed(cell.seed)
+        .at_rates(rates.clone())
+        .run_fixed();
     let completed = matches!(run.outcome, Outcome::Completed);
     completed.then(|| {
         Audit::of(

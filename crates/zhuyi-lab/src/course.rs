@@ -10,7 +10,7 @@
 
 use rayon::prelude::*;
 use zhuyi_core::ActorId;
-use zhuyi_sim::{Draws, Hindsight, Outcome, Simulation};
+use zhuyi_sim::{Hindsight, Outcome, RunSpec};
 
 use crate::estimators::{TABLE, VARIANTS};
 use crate::parallel::one_by_one;
@@ -75,12 +75,11 @@ pub fn course(plan: &Plan, place: usize, seed: u64) -> Option<Course> {
     let scenario = &plan.scenarios[place];
     let rate = plan.highest_rate();
     let rates = uniform(&plan.system, rate);
-    let draws = Draws {
-        root: plan.root_seed,
-        scenario: &scenario.name,
-        seed,
-    };
-    let run = Simulation::new(scenario, &plan.system, &rates, draws).run();
+    let run = RunSpec::new(scenario.clone(), plan.system.clone())
+        .with_root_seed(plan.root_seed)
+        .with_seed(seed)
+        .at_rates(rates.clone())
+        .run_fixed();
     if !matches!(run.outcome, Outcome::Completed) {
         return None;
     }

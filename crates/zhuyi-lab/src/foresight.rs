@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use zhuyi_core::{ActorId, Body, FrameRates, SimTime, Track};
 use zhuyi_estimator::Estimator;
 use zhuyi_scheduler::LooksAt;
-use zhuyi_sim::{Asked, Draws, Hindsight, Online, Outcome, STEP, Scheduled};
+use zhuyi_sim::{Asked, Hindsight, Online, Outcome, RunSpec, STEP};
 
 use crate::parallel::one_by_one;
 use crate::rates::uniform;
@@ -78,13 +78,13 @@ pub fn foresight(plan: &Plan, place: usize, seed: u64) -> Option<Foresight> {
     let (scenario, system) = (&plan.scenarios[place], &plan.system);
     let rate = plan.highest_rate();
     let rates = uniform(system, rate);
-    let draws = Draws {
-        root: plan.root_seed,
-        scenario: &scenario.name,
-        seed,
-    };
-    let run = Scheduled::watching(scenario, system, &rates, draws).run();
-    let (run, asked) = run.unwrap_or_else(|error| unreachable!("no policy decides: {error}"));
+    let run = RunSpec::new(scenario.clone(), system.clone())
+        .with_root_seed(plan.root_seed)
+        .with_seed(seed)
+        .at_rates(rates.clone())
+        .estimated()
+        .run_fixed();
+    let asked = &run.decisions;
     if !matches!(run.outcome, Outcome::Completed) {
         return None;
     }
@@ -98,7 +98,7 @@ pub fn foresight(plan: &Plan, place: usize, seed: u64) -> Option<Foresight> {
     same.current_latency = system.online.current_latency;
     let hindsight = Hindsight::new(&run.trace, &scenario.road, &same, &rates);
     let estimator = Estimator::new(system.estimator.clone());
-    let mut all_seeing = AllSeeing::new(Online::new(system, &scenario.road), &rates);
+    let mut all_seeing = AllSeeing::new(Online::new(system.clone(), scenario.road.clone()), &rates);
     let decision = |asked: &Asked| {
         let row = run.trace.row((asked.time.nanos() / STEP.nanos()) as usize);
         Decision {
@@ -128,15 +128,15 @@ pub fn foresight(plan: &Plan, place: usize, seed: u64) -> Option<Foresight> {
 }
 
 /// The estimate in the loop of an ego that believes the truth.
-struct AllSeeing<'a> {
-    online: Online<'a>,
+struct AllSeeing {
+    online: Online,
     rates: Vec<f64>,
     /// Frames of each camera, which nothing looks at here.
     processed: Vec<u64>,
 }
 
-impl<'a> AllSeeing<'a> {
-    fn new(online: Online<'a>, rates: &FrameRates) -> Self {
+impl AllSeeing {
+    fn new(online: Online, rates: &FrameRates) -> Self {
         Self {
             online: online.looked_at(LooksAt::PAPER),
             rates: rates.all().to_vec(),

@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 
 use zhuyi_core::SimTime;
 use zhuyi_scenario::Scenario;
-use zhuyi_sim::Run;
+use zhuyi_sim::RunRecord;
 use zhuyi_world::Progress;
 
 /// The column of `runs.csv` that tells of them.
@@ -52,7 +52,7 @@ fn times(progress: Progress) -> String {
 }
 
 /// Which manoeuvres of a run began, in the order of [`names`].
-pub fn began(run: &Run) -> Vec<bool> {
+pub fn began(run: &RunRecord) -> Vec<bool> {
     let all = run.manoeuvres.iter().flatten();
     all.map(|progress| progress.began().is_some()).collect()
 }

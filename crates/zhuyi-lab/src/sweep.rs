@@ -13,7 +13,7 @@ use zhuyi_perception::Eye;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_sim::starts::{Crowded, starts};
 use zhuyi_sim::trace::{Row, Trace};
-use zhuyi_sim::{Draws, Extremes, Frames, Hindsight, Outcome, Peaks, Run, Simulation};
+use zhuyi_sim::{Draws, Extremes, Frames, Hindsight, Outcome, Peaks, RunRecord, RunSpec};
 use zhuyi_world::{Progress, Side, Start};
 
 pub use crate::estimators::estimator;
@@ -154,9 +154,12 @@ impl Experiment<'_> {
         (contact, began(&run))
     }
 
-    fn drive(&self, cell: &Cell) -> Run {
-        let (scenario, draws) = self.draws(cell);
-        Simulation::new(scenario, self.system, &cell.rates, draws).run()
+    fn drive(&self, cell: &Cell) -> RunRecord {
+        RunSpec::new(self.scenarios[cell.scenario].clone(), self.system.clone())
+            .with_root_seed(self.root_seed)
+            .with_seed(cell.seed)
+            .at_rates(cell.rates.clone())
+            .run_fixed()
     }
 
     fn draws(&self, cell: &Cell) -> (&Scenario, Draws<'_>) {

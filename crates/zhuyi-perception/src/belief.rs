@@ -24,8 +24,8 @@ use wide::f64x2;
 use zhuyi_core::geometry::wrap_angle;
 use zhuyi_core::{ActorId, Detection, Footprint, Frenet, Road, SimTime, Track};
 
-use crate::Perception;
 use crate::axis::{Axis, LEAST_DEVIATION, Measurement};
+use crate::{Errors, Perception};
 
 /// [rad2/s] q: the square of what a lane change turns a car by (0.1 rad/s) from one frame at 30 FPR to the next, per second.
 const HEADING_DENSITY: f64 = 0.1 * 0.1 / 30.0;
@@ -53,42 +53,48 @@ struct Heading {
 
 impl Heading {
     /// After a first measurement.
-    fn start(measured: f64, params: &Perception) -> Self {
+    fn start(measured: f64, errors: &Errors) -> Self {
         Self {
             mean: measured,
-            variance: heading_variance(params),
+            variance: heading_variance(errors),
         }
     }
 
     /// Takes a further measurement `elapsed` seconds later.
-    fn measure(&mut self, measured: f64, elapsed: f64, params: &Perception) {
+    fn measure(&mut self, measured: f64, elapsed: f64, errors: &Errors) {
         let predicted = self.variance + HEADING_DENSITY * elapsed;
-        let gain = predicted / (predicted + heading_variance(params));
+        let gain = predicted / (predicted + heading_variance(errors));
         self.mean += gain * wrap_angle(measured - self.mean);
         self.variance = predicted * (1.0 - gain);
     }
 }
 
 /// [rad2] variance of a measured heading.
-fn heading_variance(params: &Perception) -> f64 {
-    params.noise_heading.max(LEAST_DEVIATION).powi(2)
+fn heading_variance(errors: &Errors) -> f64 {
+    errors.noise_heading.max(LEAST_DEVIATION).powi(2)
 }
 
 impl Belief {
     /// After a first detection, exposed at `exposed`.
-    pub fn start(detection: &Detection, exposed: SimTime, params: &Perception) -> Self {
+    pub fn start(detection: &Detection, exposed: SimTime, errors: &Errors) -> Self {
         Self {
             seen: exposed,
             footprint: detection.footprint,
-            axes: Axis::start(&measurement(detection, params)),
-            heading: Heading::start(detection.turn, params),
+            axes: Axis::start(&measurement(detection, errors)),
+            heading: Heading::start(detection.turn, errors),
             extent: detection.footprint.turned(detection.turn),
         }
     }
 
     /// Takes a further detection, unless it is older than the newest.
     #[inline]
-    pub fn measure(&mut self, detection: &Detection, exposed: SimTime, params: &Perception) {
+    pub fn measure(
+        &mut self,
+        detection: &Detection,
+        exposed: SimTime,
+        errors: &Errors,
+        params: &Perception,
+    ) {
         if exposed < self.seen {
             return;
         }
@@ -101,8 +107,8 @@ impl Belief {
         }
         self.seen = exposed;
         self.footprint = detection.footprint;
-        self.axes.measure(&measurement(detection, params));
-        self.heading.measure(detection.turn, elapsed, params);
+        self.axes.measure(&measurement(detection, errors));
+        self.heading.measure(detection.turn, elapsed, errors);
         self.extent = self.footprint.turned(self.heading.mean);
     }
 
@@ -193,12 +199,12 @@ pub fn carry_forward([position, speed, accel]: [f64; 3], time: f64) -> [f64; 3] 
 }
 
 /// Along and across.
-fn measurement(detection: &Detection, params: &Perception) -> Measurement<f64x2> {
+fn measurement(detection: &Detection, errors: &Errors) -> Measurement<f64x2> {
     Measurement {
         position: f64x2::new([detection.road.s, detection.road.d]),
         speed: f64x2::new([detection.s_rate, detection.d_rate]),
-        position_deviation: f64x2::new([params.noise_along, params.noise_across]),
-        speed_deviation: f64x2::splat(params.noise_speed),
+        position_deviation: f64x2::new([errors.noise_along, errors.noise_across]),
+        speed_deviation: f64x2::splat(errors.noise_speed),
     }
 }
 

@@ -2,19 +2,16 @@
 //!
 //! ```text
 //! ready = exposed + latency + J u,   latency = 1/f at the exposure unless set
-//! s' = s + σ_s z_1,  d' = d + σ_d z_2,  ṡ' = ṡ + σ_v z_3,  ḋ' = ḋ + σ_v z_4,  ψ' = ψ + σ_ψ z_5
 //! ```
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
 //! | f | frame rate of the camera | Hz |
-//! | ψ | heading against the road | rad |
-//! | `σ_s, σ_d, σ_v, σ_ψ` | standard deviations of the measurement | m, m, m/s, rad |
-//! | z | independent standard normal numbers, drawn per camera, actor and frame | - |
 //! | J | latency jitter: the most that a frame takes longer | s |
 //! | u | uniform in [0, 1), drawn per camera and frame | - |
 //!
-//! A picture shows the scene at its exposure instant. Frames are delivered in the order in which they become ready. A
+//! A picture shows the scene at its exposure instant; what is found in it is its [`Sensor`]'s, a [`CameraSensor`] unless another is put
+//! in its place. Frames are delivered in the order in which they become ready. A
 //! frame whose latency dates from a slower rate can be overtaken by a later one of the same camera: it is then dropped
 //! and counted (reading R15); so it is with jitter of the latency, where a lucky frame overtakes an unlucky one. A picture
 //! may also be lost on its way: it is exposed and counted, and nobody processes it. To the tracker it was never taken,
@@ -30,37 +27,37 @@ use std::collections::{VecDeque, vec_deque};
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
-use zhuyi_core::{ActorId, Body, CameraId, Detection, Frame, FrameRates, Scene, SimTime};
+use zhuyi_core::stages::{Sensor, Truth};
+use zhuyi_core::{CameraId, Detection, Frame, FrameRates, SimTime};
 
-use crate::sight::View;
-use crate::stream::{NoiseStream, Purpose};
-use crate::{Clock, Eye, Perception, Truth};
+use crate::stream::Purpose;
+use crate::{CameraSensor, Clock, Perception};
 
 /// Frames in flight of each camera for which there is room from the start.
 const ROOM: usize = 8;
 
 /// The cameras of the ego, with their frames in flight.
-#[derive(Clone, Debug)]
 pub struct Eyes {
     params: Perception,
     shutters: Vec<Shutter>,
     /// In the order in which they become ready.
     in_flight: VecDeque<Frame>,
-    /// The actors where a camera last looked for them.
-    bodies: Vec<Body>,
+    /// Number of actors that there are.
+    actors: usize,
     /// Lists of frames that were delivered, for the next ones.
     spare: Vec<Vec<Detection>>,
 }
 
-/// One camera's timing, luck and counts.
-#[derive(Clone, Debug)]
+/// One camera's sensor, timing and counts.
 struct Shutter {
+    sensor: Box<dyn Sensor>,
     clock: Clock,
-    view: View,
-    /// With each actor.
-    fortunes: Vec<NoiseStream>,
-    /// By how much its frames take longer; none where they never do.
+    /// [s] most by which its frames take longer.
+    jitter: f64,
+    /// By how much they do; none where they never do.
     lateness: Option<ChaCha8Rng>,
+    /// [-] chance that a frame is lost.
+    drop_rate: f64,
     /// Which of its pictures are lost; none where none is.
     loss: Option<ChaCha8Rng>,
     newest: Option<SimTime>,
@@ -71,19 +68,38 @@ struct Shutter {
 }
 
 impl Eyes {
-    /// A rig at the start of a run that begins with the scene `start`. `draws` gives the generator of each purpose.
+    /// A rig of cameras at the start of a run with so many actors. `draws` gives the generator of each purpose.
     ///
     /// # Panics
     /// If `rates` has fewer entries than the rig has cameras.
     pub fn new(
         params: &Perception,
         rates: &FrameRates,
-        mut draws: impl FnMut(Purpose) -> ChaCha8Rng,
-        start: &Scene,
+        draws: impl FnMut(Purpose) -> ChaCha8Rng,
+        actors: usize,
     ) -> Self {
+        let mut eyes = Self {
+            shutters: Vec::with_capacity(params.eyes.len()),
+            params: params.clone(),
+            in_flight: VecDeque::with_capacity(ROOM * params.eyes.len()),
+            actors,
+            spare: Vec::with_capacity(ROOM * params.eyes.len()),
+        };
+        eyes.restart(rates, draws);
+        eyes
+    }
+
+    /// Puts the rig back to the start of a run, with cameras as its sensors.
+    ///
+    /// # Panics
+    /// If `rates` has fewer entries than the rig has cameras.
+    pub fn restart(&mut self, rates: &FrameRates, mut draws: impl FnMut(Purpose) -> ChaCha8Rng) {
+        while let Some(frame) = self.in_flight.pop_front() {
+            self.reuse(frame);
+        }
+        let (params, actors) = (&self.params, self.actors);
         let cameras = (0..params.eyes.len()).map(|index| CameraId(index as u8));
         let shutters = cameras.map(|camera| {
-            let actors = (0..start.actors.len()).map(|index| ActorId(index as u32));
             // Every purpose has a stream of its own, so that none which is not drawn moves another.
             let drawn = || draws(Purpose::Phase(camera)).random();
             let phase = params.eyes[camera.index()].phase.unwrap_or_else(drawn);
@@ -91,15 +107,17 @@ impl Eyes {
                 0.0 => phase,
                 shift => (phase + shift).fract(),
             };
+            let errors = params.errors_of(camera);
             let mut where_on = |on: bool, purpose| on.then(|| draws(purpose));
             Shutter {
                 clock: Clock::new(rates.of(camera), phase),
-                lateness: where_on(params.latency_jitter > 0.0, Purpose::Latency(camera)),
-                loss: where_on(params.drop_rate > 0.0, Purpose::Loss(camera)),
-                view: View::with_room(start.actors.len()),
-                fortunes: actors
-                    .map(|actor| NoiseStream::new(draws(Purpose::Detection(camera, actor))))
-                    .collect(),
+                jitter: errors.latency_jitter,
+                lateness: where_on(errors.latency_jitter > 0.0, Purpose::Latency(camera)),
+                drop_rate: errors.drop_rate,
+                loss: where_on(errors.drop_rate > 0.0, Purpose::Loss(camera)),
+                sensor: Box::new(CameraSensor::new(params, camera, actors, |actor| {
+                    draws(Purpose::Detection(camera, actor))
+                })),
                 newest: None,
                 exposed: 0,
                 processed: 0,
@@ -107,13 +125,16 @@ impl Eyes {
                 lost: 0,
             }
         });
-        Self {
-            shutters: shutters.collect(),
-            params: params.clone(),
-            in_flight: VecDeque::with_capacity(ROOM * params.eyes.len()),
-            bodies: start.actors.clone(),
-            spare: Vec::with_capacity(ROOM * params.eyes.len()),
-        }
+        self.shutters.clear();
+        self.shutters.extend(shutters);
+    }
+
+    /// Puts another sensor in the place of a camera. Its clock, latency, losses and confirmation stay the camera's.
+    ///
+    /// # Panics
+    /// If the rig has no such camera.
+    pub fn replace_sensor(&mut self, camera: CameraId, sensor: Box<dyn Sensor>) {
+        self.shutters[camera.index()].sensor = sensor;
     }
 
     /// The same rig where others know how long frames take: they are ready at their exposure, but for their jitter.
@@ -125,22 +146,21 @@ impl Eyes {
         self
     }
 
-    /// What every camera sees in `scene` at once, without delay and without misses: with it the tracker starts
-    /// (reading R16). Comes before the first exposure, takes the first draw of each stream and is not counted.
-    pub fn glance(&mut self, scene: &Scene) -> Vec<Frame> {
-        let shutters = self.shutters.iter_mut().zip(&self.params.eyes);
-        let bodies = &mut self.bodies;
-        let frame = |(index, (shutter, eye)): (u8, (&mut Shutter, &Eye))| Frame {
-            camera: CameraId(index),
-            exposed: scene.time,
-            ready: scene.time,
-            detections: {
-                shutter.look(eye, &scene, bodies);
-                shutter.detections(&self.params, 0.0, bodies, Vec::new())
-            },
-            ego: scene.ego.pose,
+    /// What every sensor finds at once, without delay: with it the tracker starts (reading R16). Comes before the first exposure,
+    /// takes the first draw of each stream and is not counted.
+    pub fn glance(&mut self, truth: &dyn Truth, now: SimTime) -> Vec<Frame> {
+        let frame = |(index, shutter): (u8, &mut Shutter)| {
+            let mut detections = Vec::new();
+            shutter.sensor.sense_at_start(truth, &mut detections);
+            Frame {
+                camera: CameraId(index),
+                exposed: now,
+                ready: now,
+                detections,
+                ego: truth.ego(),
+            }
         };
-        (0..).zip(shutters).map(frame).collect()
+        (0..).zip(&mut self.shutters).map(frame).collect()
     }
 
     /// Changes a camera's rate at `now`. Its next exposure is `max(now, last + 1/hz)`; frames in flight keep their
@@ -166,23 +186,22 @@ impl Eyes {
     }
 
     /// Takes all exposures due up to and including `to`, in order of time.
-    pub fn expose(&mut self, to: SimTime, truth: &mut impl Truth) {
+    pub fn expose(&mut self, to: SimTime, truth: &mut dyn Truth) {
         while let Some(index) = self.due(to) {
             let (shutter, eye) = (&mut self.shutters[index], &self.params.eyes[index]);
             let latency = eye
                 .latency
                 .map_or(shutter.clock.period(), SimTime::from_seconds)
-                + shutter.late(self.params.latency_jitter);
+                + shutter.late();
             let exposed = shutter.clock.tick();
             shutter.exposed += 1;
             truth.go_on(exposed);
-            let (bodies, miss_rate) = (&mut self.bodies, self.params.miss_rate);
             let list = self.spare.pop();
-            let list = list.unwrap_or_else(|| Vec::with_capacity(bodies.len()));
-            shutter.look(eye, truth, bodies);
+            let mut detections = list.unwrap_or_else(|| Vec::with_capacity(self.actors));
+            detections.clear();
+            shutter.sensor.sense(truth, &mut detections);
             // A picture that is lost uses up its luck with the actors, as if it were not.
-            let detections = shutter.detections(&self.params, miss_rate, bodies, list);
-            if shutter.loses(self.params.drop_rate) {
+            if shutter.loses() {
                 self.spare.push(detections);
                 continue;
             }
@@ -277,69 +296,21 @@ impl Eyes {
 }
 
 impl Shutter {
-    /// By how much the next frame takes longer, of at most `jitter` [s].
-    fn late(&mut self, jitter: f64) -> SimTime {
+    /// By how much the next frame takes longer.
+    fn late(&mut self) -> SimTime {
+        let jitter = self.jitter;
         let late = |stream: &mut ChaCha8Rng| SimTime::from_seconds(jitter * stream.random::<f64>());
         self.lateness.as_mut().map_or(SimTime::ZERO, late)
     }
 
     /// Whether the picture just taken is lost, and counts it.
-    fn loses(&mut self, rate: f64) -> bool {
+    fn loses(&mut self) -> bool {
+        let rate = self.drop_rate;
         let lost = self
             .loss
             .as_mut()
             .is_some_and(|stream| stream.random::<f64>() < rate);
         self.lost += u64::from(lost);
         lost
-    }
-
-    /// Looks at the truth; `bodies` are brought up to date where they may be in view.
-    fn look(&mut self, eye: &Eye, truth: &impl Truth, bodies: &mut [Body]) {
-        let view = &mut self.view;
-        view.aim(&eye.camera, truth.ego());
-        let field = view.field();
-        view.find(bodies.iter_mut().enumerate().map(|(actor, body)| {
-            let (footprint, point, slack) = truth.roughly(actor);
-            if field.misses_box(footprint, point, slack) {
-                return None;
-            }
-            *body = truth.body(actor);
-            Some((body.footprint, body.pose))
-        }));
-    }
-
-    /// What the camera finds in its view of these bodies, into an old `list`.
-    fn detections(
-        &mut self,
-        params: &Perception,
-        miss_rate: f64,
-        bodies: &[Body],
-        list: Vec<Detection>,
-    ) -> Vec<Detection> {
-        let mut detections = list;
-        detections.clear();
-        for (index, (body, fortune)) in bodies.iter().zip(&mut self.fortunes).enumerate() {
-            if !self.view.sees(index, params.visible_share) {
-                fortune.pass();
-                continue;
-            }
-            let luck = fortune.draw();
-            if luck.miss < miss_rate {
-                continue;
-            }
-            let [z1, z2, z3, z4, z5] = luck.normals();
-            let mut road = body.road;
-            road.s += params.noise_along * z1;
-            road.d += params.noise_across * z2;
-            detections.push(Detection {
-                actor: ActorId(index as u32),
-                road,
-                turn: body.turn + params.noise_heading * z5,
-                s_rate: body.s_rate + params.noise_speed * z3,
-                d_rate: body.d_rate + params.noise_speed * z4,
-                footprint: body.footprint,
-            });
-        }
-        detections
     }
 }

@@ -8,10 +8,9 @@
 //!            frame rates
 //! ```
 //!
-//! - [`truth`]: what it looks at.
 //! - [`clock`]: when a camera exposes (reading R15).
 //! - [`sight`]: what it can see from where it is (R17).
-//! - [`stream`], [`normal`]: what chance adds to that (R18).
+//! - [`CameraSensor`], [`stream`], [`normal`]: what a camera finds of that, and what chance adds (R18).
 //! - [`eyes`]: the rig at work; frames from exposure to delivery (R15).
 //! - [`axis`], [`belief`]: the Kalman filter of one actor.
 //! - [`tracker`]: which actors the ego believes in, and where they are now (R16).
@@ -22,6 +21,7 @@
 
 pub mod axis;
 pub mod belief;
+mod camera_sensor;
 pub mod clock;
 pub mod eyes;
 pub mod normal;
@@ -30,12 +30,11 @@ pub mod sight;
 mod silhouette;
 pub mod stream;
 pub mod tracker;
-pub mod truth;
 
+pub use camera_sensor::CameraSensor;
 pub use clock::Clock;
 pub use eyes::Eyes;
-pub use params::{Eye, Perception};
+pub use params::{Errors, Eye, OwnErrors, Perception};
 pub use sight::{View, visible_share};
 pub use stream::Purpose;
-pub use tracker::Tracker;
-pub use truth::Truth;
+pub use tracker::KalmanTracker;

@@ -19,36 +19,25 @@
 //! would lose everything (reading R16). Losing an actor that was never confirmed discards its filter and keeps its
 //! counts.
 
-use zhuyi_core::{ActorId, Detection, Frame, Pose, Road, SimTime, Track};
+use zhuyi_core::stages::{self, Knowledge};
+use zhuyi_core::{ActorId, Body, CameraId, Detection, Frame, Pose, Road, SimTime, Track};
 
-use crate::Perception;
 use crate::belief::Belief;
 use crate::sight::View;
+use crate::{Errors, Perception};
 
 /// The visible share of a box that nothing cuts, less what rounding takes off it.
 const WHOLE: f64 = 1.0 - 1e-9;
 
-/// The ego's beliefs about all actors.
+/// Tracker with a Kalman filter per actor.
 #[derive(Clone, Debug)]
-pub struct Tracker {
+pub struct KalmanTracker {
     params: Perception,
+    /// One per camera.
+    errors: Vec<Errors>,
     files: Vec<File>,
-    tracks: Vec<Track>,
     /// One per camera.
     views: Vec<View>,
-}
-
-/// What the ego knows of one actor, confirmed or not.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Knowledge {
-    /// The actor as believed to be now; none before it is found and after it is lost.
-    pub track: Option<Track>,
-    /// Whether the planner is told.
-    pub confirmed: bool,
-    /// Consecutive frames with it, of the camera that is nearest to confirming it ...
-    pub found: u32,
-    /// ... and how many that camera needs.
-    pub needed: u32,
 }
 
 /// All that is kept about one actor.
@@ -70,10 +59,11 @@ struct Counts {
     passed: u32,
 }
 
-impl Tracker {
+impl KalmanTracker {
     /// A tracker that knows of no one yet, of the `actors` that there are.
     pub fn new(params: &Perception, actors: usize) -> Self {
         let counts = vec![Counts::default(); params.eyes.len()];
+        let cameras = (0..params.eyes.len()).map(|index| CameraId(index as u8));
         Self {
             files: vec![
                 File {
@@ -83,27 +73,47 @@ impl Tracker {
                 };
                 actors
             ],
+            errors: cameras.map(|camera| params.errors_of(camera)).collect(),
             params: params.clone(),
-            tracks: Vec::with_capacity(actors),
             views: params.eyes.iter().map(|_| View::with_room(1)).collect(),
         }
     }
 
-    /// Believes at once what `frames` show, which are the first [`glance`](crate::Eyes::glance) of the run.
-    pub fn start_confirmed(&mut self, frames: &[Frame]) {
+    /// Tells all beliefs in the laps of a ring in which they are nearest at `now` to the ego at `ego_s` [m]; does nothing on
+    /// an open road.
+    fn tell_near(&mut self, ego_s: f64, now: SimTime, road: &Road) {
+        if road.lap().is_some() {
+            for belief in self
+                .files
+                .iter_mut()
+                .filter_map(|file| file.belief.as_mut())
+            {
+                belief.tell_near(ego_s, now, road);
+            }
+        }
+    }
+}
+
+impl stages::Tracker for KalmanTracker {
+    fn start(&mut self, frames: &[Frame], _: &Road) {
+        for file in &mut self.files {
+            (file.belief, file.confirmed) = (None, false);
+            file.counts.fill(Counts::default());
+        }
         for frame in frames {
             for detection in &frame.detections {
                 let file = &mut self.files[detection.actor.index()];
-                file.take(detection, frame.exposed, &self.params);
+                let errors = &self.errors[frame.camera.index()];
+                file.take(detection, frame.exposed, errors, &self.params);
                 file.confirmed = true;
             }
         }
     }
 
-    /// Processes a frame. Frames come in the order in which they became ready.
-    pub fn update(&mut self, frame: &Frame, road: &Road) {
+    fn update(&mut self, frame: &Frame, road: &Road) {
         let camera = frame.camera.index();
         let (eye, view) = (&self.params.eyes[camera], &mut self.views[camera]);
+        let errors = &self.errors[camera];
         let mut aimed = false;
         // Both stand in the order of the actors.
         let mut detections = frame.detections.iter().peekable();
@@ -113,7 +123,7 @@ impl Tracker {
                 if let (Some(_), Some(belief)) = (road.lap(), &mut file.belief) {
                     belief.tell_near(detection.road.s, frame.exposed, road);
                 }
-                file.take(detection, frame.exposed, &self.params);
+                file.take(detection, frame.exposed, errors, &self.params);
                 file.counts[camera].found += 1;
                 file.confirmed |= file.counts[camera].found >= eye.confirm_frames;
                 continue;
@@ -130,54 +140,42 @@ impl Tracker {
         }
     }
 
-    /// Tells all beliefs in the laps of a ring in which they are nearest at `now` to the ego at `ego_s` [m]; does nothing on
-    /// an open road.
-    pub fn tell_near(&mut self, ego_s: f64, now: SimTime, road: &Road) {
-        if road.lap().is_some() {
-            for belief in self
-                .files
-                .iter_mut()
-                .filter_map(|file| file.belief.as_mut())
-            {
-                belief.tell_near(ego_s, now, road);
+    fn tracks(&mut self, now: SimTime, ego: &Body, road: &Road, tracks: &mut Vec<Track>) {
+        self.tell_near(ego.road.s, now, road);
+        for (index, file) in self.files.iter().enumerate() {
+            if let (true, Some(belief)) = (file.confirmed, &file.belief) {
+                tracks.push(belief.track(ActorId(index as u32), now, &self.params));
             }
         }
     }
 
-    /// What is known of one actor at `now`.
-    pub fn knowledge(&self, actor: ActorId, now: SimTime) -> Knowledge {
+    fn knowledge(&self, actor: ActorId, now: SimTime) -> Option<Knowledge> {
         let file = &self.files[actor.index()];
         let needed = self.params.eyes.iter().map(|eye| eye.confirm_frames);
         let counts = file.counts.iter().map(|counts| counts.found).zip(needed);
         let nearest = counts.min_by_key(|(found, needed)| needed.saturating_sub(*found));
         let (found, needed) = nearest.unwrap_or_default();
         let belief = file.belief.as_ref();
-        Knowledge {
+        Some(Knowledge {
             track: belief.map(|belief| belief.track(actor, now, &self.params)),
             confirmed: file.confirmed && file.belief.is_some(),
             found,
             needed,
-        }
-    }
-
-    /// The confirmed actors as believed to be at `now`, in the order of their ids.
-    pub fn tracks(&mut self, now: SimTime) -> &[Track] {
-        self.tracks.clear();
-        for (index, file) in self.files.iter().enumerate() {
-            if let (true, Some(belief)) = (file.confirmed, &file.belief) {
-                self.tracks
-                    .push(belief.track(ActorId(index as u32), now, &self.params));
-            }
-        }
-        &self.tracks
+        })
     }
 }
 
 impl File {
-    fn take(&mut self, detection: &Detection, exposed: SimTime, params: &Perception) {
+    fn take(
+        &mut self,
+        detection: &Detection,
+        exposed: SimTime,
+        errors: &Errors,
+        params: &Perception,
+    ) {
         match &mut self.belief {
-            Some(belief) => belief.measure(detection, exposed, params),
-            None => self.belief = Some(Belief::start(detection, exposed, params)),
+            Some(belief) => belief.measure(detection, exposed, errors, params),
+            None => self.belief = Some(Belief::start(detection, exposed, errors)),
         }
         for counts in &mut self.counts {
             counts.missed = 0;

@@ -21,4 +21,4 @@ mod steer;
 
 pub use brake::required_decel;
 pub use params::Planner as PlannerParams;
-pub use planner::Planner;
+pub use planner::RuleBasedPlanner;

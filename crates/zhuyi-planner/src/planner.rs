@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use zhuyi_core::idm::{Idm, Leader};
+use zhuyi_core::stages::Planner;
 use zhuyi_core::{
     Body, Command, Forecast, Lane, LaneChange, LaneFrame, Manoeuvre, Road, SimTime, Track,
 };
@@ -13,9 +14,9 @@ use crate::evade::Situation;
 use crate::params::Planner as Params;
 use crate::steer;
 
-/// The planner at work: its parameters, the lane it keeps, and what it has begun.
+/// Rule-based planner at work: its parameters, the lane it keeps, and what it has begun.
 #[derive(Clone, Debug)]
-pub struct Planner {
+pub struct RuleBasedPlanner {
     params: Params,
     road: Arc<Road>,
     desired_speed: f64,
@@ -28,7 +29,7 @@ pub struct Planner {
     along_lane: Vec<Track>,
 }
 
-impl Planner {
+impl RuleBasedPlanner {
     /// A planner that keeps `lane` and wants `desired_speed` [m/s].
     pub fn new(
         params: &Params,
@@ -49,18 +50,11 @@ impl Planner {
             along_lane: Vec::with_capacity(16),
         }
     }
+}
 
-    /// From now on wants to drive slower by `slower` [m/s], but not below 1 m/s, and to keep `longer` [s] more headway
-    /// than by its parameters; 0 and 0: as by them.
-    pub fn hold_back(&mut self, slower: f64, longer: f64) {
-        let speed = (self.desired_speed - slower).max(self.desired_speed.min(1.0));
-        self.driver = self.params.driver(speed);
-        self.driver.time_headway += longer;
-    }
-
-    /// The command for the next step. `tracks` are extrapolated to `now`, `forecasts` are theirs, in the same order. Gaps,
-    /// speeds and braking are those along the ego's lane.
-    pub fn plan(
+impl Planner for RuleBasedPlanner {
+    /// Gaps, speeds and braking are those along the ego's lane.
+    fn plan(
         &mut self,
         now: SimTime,
         ego: &Body,
@@ -93,6 +87,15 @@ impl Planner {
         }
     }
 
+    /// Wants to drive slower, but not below 1 m/s.
+    fn hold_back(&mut self, slower: f64, longer: f64) {
+        let speed = (self.desired_speed - slower).max(self.desired_speed.min(1.0));
+        self.driver = self.params.driver(speed);
+        self.driver.time_headway += longer;
+    }
+}
+
+impl RuleBasedPlanner {
     /// The acceleration [m/s2] of the next step and why; begins an evasion where one is due.
     fn react(
         &mut self,

@@ -1,10 +1,11 @@
 //! The planner as a whole, from tracks to a command, by situations worked by hand.
 
+use zhuyi_core::stages::Planner;
 use zhuyi_core::{
     Across, ActorId, Along, Body, Command, Footprint, Forecast, Frenet, Lane, Manoeuvre, Pose,
     Road, SimTime, Track, Trajectory,
 };
-use zhuyi_planner::{Planner, PlannerParams};
+use zhuyi_planner::{PlannerParams, RuleBasedPlanner};
 
 fn params() -> PlannerParams {
     PlannerParams {
@@ -94,7 +95,7 @@ fn forecast(track: &Track) -> Forecast {
 fn plan(speed: f64, tracks: &[Track]) -> Command {
     let (params, road) = (params(), road());
     let forecasts: Vec<_> = tracks.iter().map(forecast).collect();
-    Planner::new(&params, road.clone(), Lane(2), speed).plan(
+    RuleBasedPlanner::new(&params, road.clone(), Lane(2), speed).plan(
         SimTime::ZERO,
         &ego(speed),
         tracks,
@@ -190,7 +191,7 @@ fn hand_an_evasion_that_comes_too_late_is_not_begun() {
 #[test]
 fn law_the_steering_returns_to_the_lane() {
     let (params, road) = (params(), road());
-    let mut planner = Planner::new(&params, road.clone(), Lane(2), 20.0);
+    let mut planner = RuleBasedPlanner::new(&params, road.clone(), Lane(2), 20.0);
     let aside = |d: f64| Body {
         road: Frenet { s: 100.0, d },
         ..ego(20.0)

@@ -16,11 +16,12 @@ mod ways;
 pub use manoeuvres::Manoeuvres;
 
 use ways::Ways;
+use zhuyi_core::stages::Predictor;
 use zhuyi_core::{Forecast, Road, Track};
 
-/// Which predictor the ego uses.
+/// Kinematic predictor: motion goes on as it is, in one of several ways.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Predictor {
+pub enum KinematicPredictor {
     /// Speeds along and across the road stay as they are.
     ConstantVelocity,
     /// The acceleration along the road stays as it is, until standstill; the lateral speed stays.
@@ -35,7 +36,7 @@ pub enum Predictor {
     Manoeuvres(Manoeuvres),
 }
 
-impl Predictor {
+impl KinematicPredictor {
     /// The forecast for one track. Times of its pieces count from the track's `time`.
     pub fn forecast(self, track: &Track, road: &Road) -> Forecast {
         let mut forecast = Forecast {
@@ -43,14 +44,14 @@ impl Predictor {
             footprint: track.footprint,
             trajectories: Vec::new(),
         };
-        self.forecast_into(track, road, &mut forecast);
+        self.predict(track, road, &mut forecast);
         forecast
     }
+}
 
-    /// The same in place of another forecast, whose lists it takes over: where there are as many trajectories as before,
-    /// it allocates nothing.
-    pub fn forecast_into(self, track: &Track, road: &Road, forecast: &mut Forecast) {
-        (forecast.actor, forecast.footprint) = (track.actor, track.footprint);
+impl Predictor for KinematicPredictor {
+    /// Takes over the lists of the forecast: where there are as many trajectories as before, it allocates nothing.
+    fn predict(&self, track: &Track, road: &Road, forecast: &mut Forecast) {
         let mut ways = Ways::new(&mut forecast.trajectories);
         match self {
             Self::ConstantVelocity => constant::trajectory(track, 0.0, ways.add(1.0)),
@@ -58,10 +59,10 @@ impl Predictor {
                 constant::trajectory(track, track.s_accel, ways.add(1.0));
             }
             Self::LaneChange { threshold } => {
-                lane_change::trajectory(track, road, threshold, ways.add(1.0));
+                lane_change::trajectory(track, road, *threshold, ways.add(1.0));
             }
             Self::Manoeuvres(manoeuvres) => {
-                manoeuvres::trajectories(track, road, &manoeuvres, &mut ways);
+                manoeuvres::trajectories(track, road, manoeuvres, &mut ways);
             }
         }
         ways.end(track);

@@ -1,7 +1,7 @@
 //! One drive as the data of a report.
 //!
 //! ```text
-//!  Scenario, System, Run with its Witness ──[columns]──▶ Document ──▶ page
+//!  Scenario, System, RunRecord with its Witness ──[columns]──▶ Document ──▶ page
 //! ```
 //!
 //! Demands are those of the offline estimate (readings R14, R21) at every row. With fixed rates l_0 is what it is for
@@ -16,7 +16,7 @@ pub mod moments;
 use serde_json::Value;
 use zhuyi_core::Frenet;
 use zhuyi_scenario::{Scenario, System};
-use zhuyi_sim::{Asked, Outcome, Run, STEP, Witness};
+use zhuyi_sim::{Outcome, RunRecord, STEP, Witness};
 
 use columns::Columns;
 use document::{Document, Provenance, Road};
@@ -43,11 +43,9 @@ pub struct Drive<'a> {
     /// The ego.
     pub system: &'a System,
     /// The run.
-    pub run: &'a Run,
+    pub run: &'a RunRecord,
     /// What it knew.
     pub witness: &'a Witness,
-    /// What the ego itself asked for, where the estimate was in the loop.
-    pub asked: &'a [Asked],
     /// Whether a policy changed the rates.
     pub by_policy: bool,
     /// Version and command.

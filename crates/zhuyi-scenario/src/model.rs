@@ -6,7 +6,7 @@ use zhuyi_core::{Lane, Road, Segment, SimTime};
 use zhuyi_estimator::Params as Estimator;
 use zhuyi_perception::Perception;
 use zhuyi_planner::PlannerParams;
-use zhuyi_prediction::Predictor;
+use zhuyi_prediction::KinematicPredictor;
 use zhuyi_scheduler::Compute;
 use zhuyi_scheduler::safety::Response;
 use zhuyi_world::{Vehicle, script::Actor};
@@ -51,7 +51,7 @@ pub struct System {
     /// [Hz] frame rate of each camera unless a run sets it, in the order of the rig.
     pub default_rates: zhuyi_core::FrameRates,
     /// Prediction for the planner.
-    pub predictor: Predictor,
+    pub predictor: KinematicPredictor,
     /// The planner.
     pub planner: PlannerParams,
     /// The estimator.
@@ -71,7 +71,7 @@ pub struct System {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Online {
     /// What it expects of others; the planner has a predictor of its own.
-    pub predictor: Predictor,
+    pub predictor: KinematicPredictor,
     /// [s] l_0; none: the latency at which each camera runs now, which feeds on itself (reading R22).
     pub current_latency: Option<f64>,
     /// How often it is made, and rates are decided.

@@ -68,5 +68,5 @@ pub mod sharing;
 pub use chip::{Chip, Compute, Discipline};
 pub use decision::{CameraState, Demands, LooksAt, Policy, Situation};
 pub use error::{PolicyError, RateLimit};
-pub use policies::{NAMES, UnknownPolicy, policy};
+pub use policies::{MakePolicy, NAMES, UnknownPolicy, policy, policy_maker};
 pub use queue::{Accelerator, Queued};

@@ -1,7 +1,7 @@
 //! The world at the instants of the last step, as the cameras ask for it.
 
-use zhuyi_core::{Body, Footprint, Point, Pose, SimTime};
-use zhuyi_perception::Truth;
+use zhuyi_core::stages::Truth;
+use zhuyi_core::{Body, Pose, SimTime};
 use zhuyi_world::World;
 
 /// The world at an instant of the last step.
@@ -32,8 +32,8 @@ impl Truth for Instant<'_> {
         self.ego
     }
 
-    fn roughly(&self, actor: usize) -> (Footprint, Point, f64) {
-        self.world.roughly(actor)
+    fn ends(&self) -> (&[Body], &[Body]) {
+        self.world.ends()
     }
 
     fn body(&self, actor: usize) -> Body {

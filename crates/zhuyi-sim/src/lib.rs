@@ -7,7 +7,7 @@
 //!     └── Actuation ◀── [actuator] ◀─Command─ [planner] ◀──────────────────────────────┘
 //!  every step: row ──▶ Trace ──▶ recorded futures ──▶ [estimator] ──▶ demand per camera
 //!
-//!  the second loop, where rates change ([scheduled]):
+//!  the second loop, where rates change ([decisions]):
 //!  Tracks ──▶ [online] ──demand per camera──▶ [scheduler: policy, safety check] ──rates, measures──▶ [cameras], [planner]
 //!  Frames ──▶ [pipeline] where they queue for an accelerator ──▶ [tracker]
 //! ```
@@ -16,6 +16,7 @@
 //! number of threads and in any order; runs that differ in frame rates alone share their draws; exposures fall on their own
 //! instants, not on steps; the planner sees confirmed tracks and nothing else.
 
+mod decisions;
 pub mod draws;
 mod instant;
 pub mod notes;
@@ -24,8 +25,9 @@ pub mod online;
 pub mod outcome;
 mod pipeline;
 pub mod recorded;
-pub mod scheduled;
 pub mod simulation;
+pub mod spec;
+pub mod stages;
 pub mod starts;
 pub mod surroundings;
 pub mod trace;
@@ -34,14 +36,16 @@ mod uncleared;
 pub mod waterfall;
 pub mod witness;
 
+pub use decisions::known_future;
 pub use draws::Draws;
 pub use notes::{Note, notes};
 pub use offline::{Hindsight, Peak, Peaks};
 pub use online::{Asked, Online};
-pub use outcome::{Collision, Extremes, Frames, Outcome, Run};
-pub use scheduled::{Allocation, DecisionError, Scheduled, equal_parts, known_future};
-pub use simulation::{STEP, Simulation};
+pub use outcome::{Collision, Extremes, Frames, Outcome, RunRecord};
+pub use simulation::{Action, DecisionError, Simulation};
+pub use spec::{RunSpec, SpecError, equal_parts};
+pub use stages::Setup;
 pub use surroundings::{believed, surroundings};
-pub use trace::Trace;
+pub use trace::{STEP, Trace};
 pub use waterfall::{Cause, Stage, Waterfall};
 pub use witness::Witness;

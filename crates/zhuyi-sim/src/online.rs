@@ -8,6 +8,8 @@
 //! Nothing of the truth enters but the ego's own localisation. l_0 is fixed at 1/30 s unless the system says otherwise:
 //! with the latency at which the camera runs now the demand feeds on itself (reading R22).
 
+use std::sync::Arc;
+
 use zhuyi_core::{Body, Forecast, LaneFrame, Road, SimTime, Track};
 use zhuyi_estimator::phantom::{View, ViewAlong};
 use zhuyi_estimator::rivals::Rivals;
@@ -23,9 +25,9 @@ use crate::uncleared::{Look, Uncleared};
 
 /// The estimator on what the ego believes.
 #[derive(Debug)]
-pub struct Online<'a> {
-    system: &'a System,
-    road: &'a Road,
+pub struct Online {
+    system: Arc<System>,
+    road: Arc<Road>,
     estimator: Estimator,
     rivals: Rivals,
     forecasts: Vec<Forecast>,
@@ -52,13 +54,14 @@ pub struct Asked {
     pub alarms: Vec<bool>,
 }
 
-impl<'a> Online<'a> {
+impl Online {
     /// Of an ego with this system on this road.
-    pub fn new(system: &'a System, road: &'a Road) -> Self {
+    pub fn new(system: impl Into<Arc<System>>, road: impl Into<Arc<Road>>) -> Self {
+        let system = system.into();
         Self {
-            system,
-            road,
+            road: road.into(),
             estimator: Estimator::new(system.estimator.clone()),
+            system,
             rivals: Rivals::default(),
             forecasts: Vec::new(),
             uncleared: Uncleared::default(),
@@ -81,14 +84,15 @@ impl<'a> Online<'a> {
         rates: Vec<f64>,
         processed: &[u64],
     ) -> Asked {
-        let predictor = self.system.online.predictor;
-        let lane = LaneFrame::at(self.road, body.road.d);
+        let (system, road) = (self.system.clone(), self.road.clone());
+        let predictor = system.online.predictor;
+        let lane = LaneFrame::at(&road, body.road.d);
         self.forecasts.clear();
         let forecasts = tracks
             .iter()
-            .map(|track| predictor.forecast(&lane.track(track), self.road));
+            .map(|track| predictor.forecast(&lane.track(track), &road));
         self.forecasts.extend(forecasts);
-        let place = |track: &Track| believed(track, self.road).pose;
+        let place = |track: &Track| believed(track, &road).pose;
         let seen: Vec<Seen<'_>> = tracks
             .iter()
             .zip(&self.forecasts)
@@ -97,8 +101,8 @@ impl<'a> Online<'a> {
                 forecast,
             })
             .collect();
-        let l_0 = self.system.online.current_latency;
-        let eyes = self.system.perception.eyes.iter().zip(&rates);
+        let l_0 = system.online.current_latency;
+        let eyes = system.perception.eyes.iter().zip(&rates);
         let rig: Vec<Watch<'_>> = eyes
             .map(|(eye, hz)| Watch {
                 camera: &eye.camera,
@@ -175,9 +179,9 @@ impl<'a> Online<'a> {
         rig: &[Watch<'_>],
         demands: &[Demand],
     ) -> Vec<f64> {
-        let believed = |track: &Track| believed(track, self.road);
+        let believed = |track: &Track| believed(track, &self.road);
         let bodies: Vec<Body> = tracks.iter().map(believed).collect();
-        let around = surroundings(self.road, ego, &bodies);
+        let around = surroundings(&self.road, ego, &bodies);
         let params = PhantomParams {
             footprint: self.system.vehicle.footprint,
             speed: 0.0,
@@ -192,7 +196,7 @@ impl<'a> Online<'a> {
             .map(|watch| View::new(watch.camera, ego.pose))
             .collect();
         self.uncleared.look(&Look {
-            road: self.road,
+            road: &self.road,
             eyes: &self.system.perception.eyes,
             views: &views,
             ego,

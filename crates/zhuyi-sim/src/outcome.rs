@@ -7,22 +7,25 @@ use zhuyi_core::{ActorId, Body, LaneFrame, Road, SimTime};
 use zhuyi_world::crash::CrashError;
 use zhuyi_world::{Crash, Progress, Side};
 
+use crate::online::Asked;
 use crate::trace::Trace;
 use crate::witness::Witness;
 
-/// A finished run.
+/// Record of a finished run.
 #[derive(Debug)]
-pub struct Run {
+pub struct RunRecord {
     /// How it ended.
     pub outcome: Outcome,
     /// Frames of each camera, in the order of the rig.
     pub frames: Vec<Frames>,
     /// How far the manoeuvres of each actor came: in the order of the actors, and of their scripts.
     pub manoeuvres: Vec<Vec<Progress>>,
-    /// What was true at every step.
+    /// What was true at every step; empty where the specification leaves it out.
     pub trace: Trace,
     /// What was known at every step, where it was asked for.
     pub witness: Option<Witness>,
+    /// Every decision about the rates, in order; empty where rates stay and nothing is estimated.
+    pub decisions: Vec<Asked>,
 }
 
 /// How a run ended.
@@ -90,7 +93,7 @@ pub struct Extremes {
     pub decel: f64,
 }
 
-impl Run {
+impl RunRecord {
     /// Whether the ego touched something.
     pub fn collided(&self) -> bool {
         matches!(self.outcome, Outcome::Collision(_))

@@ -1,53 +1,110 @@
-//! The loop: one tick moves the truth by one step, with the ego acting on what its cameras have told it so far.
+//! The loop: one step moves the truth by 10 ms, with the ego acting on what its cameras have told it so far.
+//!
+//! ```text
+//!  new ──▶ ┌─ observe (optional) ─▶ act (optional) ─▶ step ─┐ ──▶ finish ──▶ RunRecord
+//!          └────────────────────────────────────────────────┘        reset(seed) ──▶ the next run
+//! ```
 
-use zhuyi_core::{Body, CameraId, Command, Forecast, FrameRates, Manoeuvre, Road, SimTime, Track};
-use zhuyi_perception::{Eyes, Purpose, Tracker};
-use zhuyi_planner::Planner;
-use zhuyi_prediction::Predictor;
+use std::mem;
+
+use zhuyi_core::stages::{Observation, Observer, Planner, Predictor, Tracker};
+use zhuyi_core::{CameraId, Command, Forecast, Manoeuvre, SimTime, Track};
+use zhuyi_perception::{Eyes, Purpose};
 use zhuyi_scenario::{Scenario, System};
-use zhuyi_scheduler::safety::Measures;
-use zhuyi_scheduler::{Compute, Discipline};
+use zhuyi_scheduler::{Compute, PolicyError};
 use zhuyi_world::{Contact, World};
 
-use crate::draws::Draws;
+use crate::decisions::{Decider, Known};
 use crate::instant::Instant;
-use crate::outcome::{Collision, Frames, Outcome, Run};
+use crate::outcome::{Collision, Frames, Outcome, RunRecord};
 use crate::pipeline::Pipeline;
+use crate::spec::RunSpec;
 use crate::starts;
-use crate::trace::Trace;
+use crate::trace::{STEP, Trace};
 use crate::witness::Witness;
 
-/// Physics, planning and recording go in steps of 10 ms; exposures do not (reading R15).
-pub const STEP: SimTime = SimTime::from_millis(10);
-
-/// A run under way.
-pub struct Simulation<'a> {
-    scenario: &'a Scenario,
-    system: &'a System,
+/// A run under way. It owns all that it needs, so it may be kept, sent to another thread, and used again.
+///
+/// What [`RunSpec::under_policy`] does for a built-in policy, done by hand, here with equal parts:
+/// ```
+/// use zhuyi_scenario::{Source, embedded, load};
+/// use zhuyi_sim::{Action, RunSpec, Simulation};
+///
+/// let scenario = Source::new("cut-in.ron", embedded::scenario("cut-in").unwrap());
+/// let (scenario, system) = load(&scenario, &Source::new("system.ron", embedded::system()), &[])?;
+/// let mut simulation = Simulation::new(RunSpec::new(scenario, system).under_caller(25.0)?);
+/// while !simulation.is_over() {
+///     if simulation.decision_is_due() {
+///         let observation = simulation.observe();
+///         assert_eq!(observation.demands.len(), 5);
+///         simulation.act(Action::Rates(&[5.0; 5]))?;
+///     }
+///     simulation.step()?;
+/// }
+/// let record = simulation.finish();
+/// assert!(!record.collided() && record.frames[0].exposed == 150);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Simulation {
+    spec: RunSpec,
     world: World,
     eyes: Eyes,
     /// None where a frame takes its period.
     pipeline: Option<Pipeline>,
-    tracker: Tracker,
-    planner: Planner,
-    /// Whether a backup system brakes.
-    backup: bool,
+    tracker: Box<dyn Tracker>,
+    predictor: Box<dyn Predictor>,
+    planner: Box<dyn Planner>,
+    observers: Vec<Box<dyn Observer>>,
+    /// None where rates stay and nothing is estimated.
+    decider: Option<Decider>,
+    /// What the ego knows: when it was found out, and that.
+    perceived: Option<SimTime>,
+    tracks: Vec<Track>,
     forecasts: Vec<Forecast>,
+    /// [Hz] present rate of every camera.
+    rates: Vec<f64>,
+    /// Command of the caller for the next step.
+    command: Option<Command>,
+    contact: Option<Contact>,
     trace: Trace,
     witness: Option<Witness>,
 }
 
-impl<'a> Simulation<'a> {
-    /// A run at its start. The same arguments give the same run, to the last bit. Where [`starts`](crate::starts::starts) finds no
-    /// start without an overlap the actors start where the script says, without jitter.
-    pub fn new(
-        scenario: &'a Scenario,
-        system: &'a System,
-        rates: &FrameRates,
-        draws: Draws<'_>,
-    ) -> Self {
-        let starts = starts::starts(scenario, system, draws);
-        let starts = starts.unwrap_or_else(|_| starts::meant(scenario, system));
+/// What a caller may decide.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Action<'a> {
+    /// [Hz] rate of every camera from now on, in the order of the rig.
+    Rates(&'a [f64]),
+    /// Command for the next step, in place of the planner's.
+    Command(Command),
+}
+
+/// A decision that a policy did not make: when, in which run, and why.
+#[derive(Debug, thiserror::Error)]
+#[error("{scenario}, seed {seed}, at {time:.3} s: {error}")]
+pub struct DecisionError {
+    /// The scenario's name.
+    pub scenario: String,
+    /// The seed of the run.
+    pub seed: u64,
+    /// [s] time of the decision.
+    pub time: f64,
+    /// What is wrong; it names the policy.
+    #[source]
+    pub error: PolicyError,
+}
+
+impl Simulation {
+    /// Creates a run at its start. Where [`starts`](crate::starts::starts) finds no start without an overlap the actors start where
+    /// the script says, without jitter.
+    ///
+    /// # Panics
+    /// If the specification has fewer rates than the rig has cameras, or the system an accelerator that cannot be, which the
+    /// reader of files refuses.
+    pub fn new(spec: RunSpec) -> Self {
+        let (scenario, system) = (&*spec.scenario, &*spec.system);
+        let (draws, rates) = (spec.draws(), spec.first_rates());
+        let starts = starts::drawn_or_meant(scenario, system, draws);
         let world = World::new(
             scenario.road.clone(),
             &system.vehicle,
@@ -55,70 +112,312 @@ impl<'a> Simulation<'a> {
             starts::ego(scenario),
             &starts,
         );
-        let stream = |purpose: Purpose| draws.stream(&spelt(purpose, scenario, system));
-        let mut eyes = Eyes::new(&system.perception, rates, stream, world.scene());
+        let stream = |purpose| draws.stream(&spelt(purpose, scenario, system));
+        let mut eyes = Eyes::new(&system.perception, &rates, stream, scenario.actors.len());
         if let Compute::Accelerator(_) = system.compute {
             eyes = eyes.without_latency();
         }
-        let mut tracker = Tracker::new(&system.perception, scenario.actors.len());
-        tracker.start_confirmed(&eyes.glance(world.scene()));
-        Self {
-            scenario,
-            system,
-            eyes,
-            pipeline: match system.compute {
-                Compute::Ideal => None,
-                Compute::Accelerator(chip) => Some(Pipeline::new(chip, rates.all())),
-            },
-            tracker,
-            planner: Planner::new(
-                &system.planner,
-                scenario.road.clone(),
-                scenario.ego.lane,
-                scenario.ego.speed,
-            ),
-            backup: false,
+        let actors = || scenario.actors.iter().map(|actor| actor.name.as_str());
+        let steps = (scenario.duration.nanos() / STEP.nanos()) as usize + 1;
+        let trace = Trace::new(actors(), if spec.traced { steps } else { 0 });
+        let setup = spec.setup();
+        let mut simulation = Self {
+            pipeline: None,
+            tracker: spec.stages.tracker(&setup),
+            predictor: spec.stages.predictor(&setup),
+            planner: spec.stages.planner(&setup),
+            observers: spec.stages.observers(&setup),
+            decider: Decider::new(&spec),
+            perceived: None,
+            tracks: Vec::with_capacity(scenario.actors.len()),
             forecasts: Vec::with_capacity(scenario.actors.len()),
-            trace: Trace::new(
-                scenario.actors.iter().map(|a| a.name.as_str()),
-                (scenario.duration.nanos() / STEP.nanos()) as usize + 1,
-            )
-            .round(scenario.road.lap()),
-            world,
+            rates: Vec::with_capacity(rates.all().len()),
+            command: None,
+            contact: None,
+            trace: trace.round(scenario.road.lap()),
             witness: None,
-        }
-    }
-
-    /// The same run, with a record of what it knew.
-    #[must_use]
-    pub fn witnessed(mut self) -> Self {
-        let cameras = self.system.perception.eyes.len();
-        self.witness = Some(Witness::new(self.scenario.actors.len(), cameras));
-        self
-    }
-
-    /// One step of the loop. Returns the first contact of the ego, if there is one.
-    pub fn tick(&mut self) -> Option<Contact> {
-        let (scene, road) = (self.world.scene(), &*self.scenario.road);
-        self.tracker.tell_near(scene.ego.road.s, scene.time, road);
-        let tracks = self.tracker.tracks(scene.time);
-        forecast(self.system.predictor, tracks, road, &mut self.forecasts);
-        let planned = self.planner.plan(
-            scene.time,
-            &scene.ego,
-            tracks,
-            &self.forecasts[..tracks.len()],
-        );
-        let command = if self.backup {
-            backed_up(planned, self.system.estimator.c3)
-        } else {
-            planned
+            world,
+            eyes,
+            spec,
         };
-        self.trace.push(scene, command);
-        if let Some(witness) = &mut self.witness {
-            witness.step(scene.time, &self.tracker, &self.eyes);
+        simulation.begin();
+        simulation
+    }
+
+    /// Goes back to the start, with another seed. The run is that of a new simulation with this seed, and takes over the memory
+    /// of this one.
+    pub fn reset(&mut self, seed: u64) {
+        self.spec.seed = seed;
+        let (scenario, system) = (&*self.spec.scenario, &*self.spec.system);
+        let draws = self.spec.draws();
+        let starts = starts::drawn_or_meant(scenario, system, draws);
+        self.world.restart(starts::ego(scenario), &starts);
+        let stream = |purpose| draws.stream(&spelt(purpose, scenario, system));
+        self.eyes.restart(&self.spec.first_rates(), stream);
+        let (setup, stages) = (self.spec.setup(), &self.spec.stages);
+        self.predictor = stages.predictor(&setup);
+        self.planner = stages.planner(&setup);
+        self.observers = stages.observers(&setup);
+        if stages.tracker.is_some() {
+            self.tracker = stages.tracker(&setup);
         }
+        self.decider = Decider::new(&self.spec);
+        self.trace.clear();
+        (self.perceived, self.command, self.contact) = (None, None, None);
+        self.begin();
+    }
+
+    /// Begins the run, with world and rig at their starts.
+    fn begin(&mut self) {
+        let (setup, system) = (self.spec.setup(), &*self.spec.system);
+        for (camera, make) in &self.spec.stages.sensors {
+            self.eyes.replace_sensor(*camera, make(&setup));
+        }
+        let scene = self.world.scene();
+        let glance = self.eyes.glance(&scene, scene.time);
+        self.tracker.start(&glance, &self.spec.scenario.road);
+        if let Compute::Accelerator(chip) = system.compute {
+            let mut pipeline = Pipeline::new(chip, self.spec.first_rates().all());
+            if let Some(order) = self.decider.as_ref().and_then(Decider::discipline) {
+                pipeline.set_discipline(order);
+            }
+            self.pipeline = Some(pipeline);
+        }
+        self.read_rates();
+        let (actors, cameras) = (self.spec.scenario.actors.len(), self.rates.len());
+        self.witness = (self.spec.witnessed).then(|| Witness::new(actors, cameras));
+    }
+
+    /// Returns the specification of the run.
+    pub fn spec(&self) -> &RunSpec {
+        &self.spec
+    }
+
+    /// Returns the time.
+    pub fn time(&self) -> SimTime {
+        self.world.scene().time
+    }
+
+    /// Returns whether the run is over: the ego has touched something, or the scenario's time is over.
+    pub fn is_over(&self) -> bool {
+        self.contact.is_some() || self.time() >= self.spec.scenario.duration
+    }
+
+    /// Returns whether rates are to be decided now: once every period of the system's estimate, where a policy or the caller sets
+    /// them or the estimate is made beside the run.
+    pub fn decision_is_due(&self) -> bool {
+        let decider = self.decider.as_ref();
+        !self.is_over() && decider.is_some_and(|decider| decider.is_due(self.time()))
+    }
+
+    /// Returns what the ego knows now. Where a decision is due, the demands are those on which it is to be made.
+    pub fn observe(&mut self) -> Observation<'_> {
+        self.perceive();
+        self.estimate();
+        self.observation()
+    }
+
+    /// Decides the rates from now on, or the command of the next step. A command goes through the vehicle's actuators, and a
+    /// backup system that brakes may brake harder. Rates are judged by the safety check where a decision is due.
+    ///
+    /// # Errors
+    /// If a rate is not in [floor, 30], or their sum is above the budget.
+    pub fn act(&mut self, action: Action<'_>) -> Result<(), DecisionError> {
+        match action {
+            Action::Command(command) => {
+                self.command = Some(command);
+                Ok(())
+            }
+            Action::Rates(rates) => {
+                self.perceive();
+                self.estimate();
+                let known = known(&self.spec, &self.world, &self.tracks);
+                let checked = match &self.decider {
+                    Some(decider) => decider.check_rates(&known, rates),
+                    None => Decider::check_unlimited(&known, rates),
+                };
+                checked.map_err(|error| self.refused(error))?;
+                match &mut self.decider {
+                    Some(decider) if decider.is_open() => decider.grant(rates),
+                    _ => self.set_rates(rates),
+                }
+                Ok(())
+            }
+        }
+    }
+
+    /// Moves everything by one step. Returns the first contact of the ego, if there is one; does nothing when the run is over.
+    ///
+    /// # Errors
+    /// If a policy has no answer, or its rates break the limits.
+    pub fn step(&mut self) -> Result<Option<Contact>, DecisionError> {
+        if self.is_over() {
+            return Ok(self.contact);
+        }
+        self.perceive();
+        self.decide()?;
+        let command = self.plan();
+        self.record(command);
         let contact = self.world.step(command, STEP);
+        self.contact = contact;
+        self.expose();
+        Ok(contact)
+    }
+
+    /// Steps until the run is over.
+    ///
+    /// # Errors
+    /// As [`Simulation::step`].
+    pub fn run(mut self) -> Result<RunRecord, DecisionError> {
+        while !self.is_over() {
+            self.step()?;
+        }
+        Ok(self.finish())
+    }
+
+    /// Ends the run and returns its record, which takes the trace away. To go on, [`reset`](Simulation::reset) it.
+    pub fn finish(&mut self) -> RunRecord {
+        if let Some(witness) = &mut self.witness {
+            witness.end();
+        }
+        let now = self.time();
+        let outcome = match self.contact {
+            None => Outcome::Completed,
+            Some(contact) => Outcome::Collision(Collision {
+                time: self.world.contact_time(&contact),
+                actor: contact.actor,
+                side: contact.side,
+                from_behind: self.world.is_from_behind(&contact),
+                confirmed: {
+                    let (scene, road) = (self.world.scene(), &self.spec.scenario.road);
+                    self.tracks.clear();
+                    self.tracker.tracks(now, &scene.ego, road, &mut self.tracks);
+                    self.tracks.iter().any(|track| track.actor == contact.actor)
+                },
+                crash: self.world.crash(&contact),
+            }),
+        };
+        let waiting =
+            |camera| (self.pipeline.as_ref()).map_or(0, |pipeline| pipeline.dropped(camera));
+        let frames = cameras(&self.spec.system).map(|camera| Frames {
+            exposed: self.eyes.frames_exposed(camera),
+            processed: self.eyes.frames_processed(camera),
+            dropped: self.eyes.frames_lost(camera) + waiting(camera),
+        });
+        RunRecord {
+            outcome,
+            frames: frames.collect(),
+            manoeuvres: self.world.progress(self.contact.is_some()),
+            trace: self.trace.take(),
+            witness: self.witness.take(),
+            decisions: self.decider.as_mut().map_or(Vec::new(), Decider::take),
+        }
+    }
+
+    /// Finds out what the ego knows now, once per step.
+    fn perceive(&mut self) {
+        let (scene, road) = (self.world.scene(), &*self.spec.scenario.road);
+        if self.perceived == Some(scene.time) {
+            return;
+        }
+        self.tracks.clear();
+        self.tracker
+            .tracks(scene.time, &scene.ego, road, &mut self.tracks);
+        self.predictor
+            .predict_all(&self.tracks, road, &mut self.forecasts);
+        self.perceived = Some(scene.time);
+    }
+
+    /// Makes the estimate where a decision is due.
+    fn estimate(&mut self) {
+        let Some(decider) = &mut self.decider else {
+            return;
+        };
+        if decider.is_due(self.world.scene().time) && !decider.is_open() {
+            let processed = cameras(&self.spec.system).map(|id| self.eyes.frames_processed(id));
+            let known = known(&self.spec, &self.world, &self.tracks);
+            decider.estimate(&known, &self.rates, processed);
+        }
+    }
+
+    /// Decides the rates where a decision is due.
+    fn decide(&mut self) -> Result<(), DecisionError> {
+        self.estimate();
+        let Some(decider) = &mut self.decider else {
+            return Ok(());
+        };
+        if !decider.is_open() {
+            return Ok(());
+        }
+        let known = known(&self.spec, &self.world, &self.tracks);
+        let decided = decider.decide(&known);
+        decided.map_err(|error| self.refused(error))?;
+        let Some(decider) = &mut self.decider else {
+            unreachable!("it has just decided")
+        };
+        let (granted, measures) = decider.conclude(&self.spec.system);
+        if let Some(pipeline) = &mut self.pipeline {
+            pipeline.set_demands(granted.demands.iter().map(|demand| demand.fpr));
+        }
+        self.planner
+            .hold_back(measures.lower_speed, measures.longer_headway);
+        let now = self.world.scene().time;
+        for (camera, hz) in (0..).map(CameraId).zip(&granted.granted) {
+            set_rate(&mut self.eyes, camera, *hz, now);
+        }
+        self.read_rates();
+        Ok(())
+    }
+
+    /// Sets the rate of every camera from now on (reading R15); before the first step, as if they had run at it before.
+    fn set_rates(&mut self, rates: &[f64]) {
+        let now = self.time();
+        for (camera, hz) in (0..).map(CameraId).zip(rates) {
+            set_rate(&mut self.eyes, camera, *hz, now);
+        }
+        self.read_rates();
+    }
+
+    fn read_rates(&mut self) {
+        self.rates.clear();
+        let rates = cameras(&self.spec.system).map(|camera| self.eyes.rate(camera));
+        self.rates.extend(rates);
+    }
+
+    /// The command of the step: the caller's or the planner's, or a backup system's.
+    fn plan(&mut self) -> Command {
+        let scene = self.world.scene();
+        let planned = self.command.take().unwrap_or_else(|| {
+            let forecasts = &self.forecasts[..self.tracks.len()];
+            self.planner
+                .plan(scene.time, &scene.ego, &self.tracks, forecasts)
+        });
+        match &self.decider {
+            Some(decider) if decider.brakes() => backed_up(planned, self.spec.system.estimator.c3),
+            _ => planned,
+        }
+    }
+
+    /// Records the step before the world moves.
+    fn record(&mut self, command: Command) {
+        let scene = self.world.scene();
+        if self.spec.traced {
+            self.trace.push(scene, command);
+        }
+        if let Some(witness) = &mut self.witness {
+            witness.step(scene.time, &*self.tracker, &self.tracks, &self.rates);
+        }
+        if !self.observers.is_empty() {
+            let mut observers = mem::take(&mut self.observers);
+            for observer in &mut observers {
+                observer.step(self.world.scene(), &self.observation(), command);
+            }
+            self.observers = observers;
+        }
+    }
+
+    /// Takes the frames of the step that has just been made, and hands those that are ready to the tracker.
+    fn expose(&mut self) {
         let now = self.world.scene().time;
         self.eyes.expose(now, &mut Instant::of(&self.world));
         if let Some(witness) = &mut self.witness {
@@ -128,130 +427,82 @@ impl<'a> Simulation<'a> {
             pipeline.process(&mut self.eyes, now);
         }
         while let Some(frame) = self.eyes.deliver(now) {
-            self.tracker.update(&frame, road);
+            self.tracker.update(&frame, &self.spec.scenario.road);
             if let Some(witness) = &mut self.witness {
                 witness.taken(now, &frame);
             }
             self.eyes.reuse(frame);
         }
-        contact
     }
 
-    /// Ticks until the ego touches something or the scenario's time is over.
-    pub fn run(mut self) -> Run {
-        let mut contact = None;
-        while contact.is_none() && !self.is_over() {
-            contact = self.tick();
-        }
-        self.finish(contact)
-    }
-
-    /// The time.
-    pub(crate) fn time(&self) -> SimTime {
-        self.world.scene().time
-    }
-
-    /// Whether the scenario's time is over.
-    pub(crate) fn is_over(&self) -> bool {
-        self.time() >= self.scenario.duration
-    }
-
-    /// The end of the run, with the contact that the last tick returned.
-    pub(crate) fn finish(mut self, contact: Option<Contact>) -> Run {
-        if let Some(witness) = &mut self.witness {
-            witness.end();
-        }
-        let outcome = match contact {
-            None => Outcome::Completed,
-            Some(contact) => Outcome::Collision(Collision {
-                time: self.world.contact_time(&contact),
-                actor: contact.actor,
-                side: contact.side,
-                from_behind: self.world.is_from_behind(&contact),
-                confirmed: self.tracker.knowledge(contact.actor, self.time()).confirmed,
-                crash: self.world.crash(&contact),
-            }),
-        };
-        let waiting =
-            |camera| (self.pipeline.as_ref()).map_or(0, |pipeline| pipeline.dropped(camera));
-        let cameras = (0..self.system.perception.eyes.len() as u8).map(CameraId);
-        let frames = cameras.map(|camera| Frames {
-            exposed: self.eyes.frames_exposed(camera),
-            processed: self.eyes.frames_processed(camera),
-            dropped: self.eyes.frames_lost(camera) + waiting(camera),
-        });
-        Run {
-            outcome,
-            frames: frames.collect(),
-            manoeuvres: self.world.progress(contact.is_some()),
-            trace: self.trace,
-            witness: self.witness,
-        }
-    }
-
-    /// What the ego knows now: the time, itself by its own localisation, and the confirmed tracks.
-    pub(crate) fn beliefs(&mut self) -> (SimTime, &Body, &[Track]) {
+    /// What the ego knows, as far as it has been found out.
+    fn observation(&self) -> Observation<'_> {
         let scene = self.world.scene();
-        self.tracker
-            .tell_near(scene.ego.road.s, scene.time, &self.scenario.road);
-        (scene.time, &scene.ego, self.tracker.tracks(scene.time))
-    }
-
-    /// How many frames of every camera have been processed.
-    pub(crate) fn processed(&self) -> Vec<u64> {
-        let cameras = (0..self.system.perception.eyes.len() as u8).map(CameraId);
-        cameras
-            .map(|camera| self.eyes.frames_processed(camera))
-            .collect()
-    }
-
-    /// [Hz] the present rate of every camera, in the order of the rig.
-    pub(crate) fn rates(&self) -> Vec<f64> {
-        let cameras = (0..self.system.perception.eyes.len() as u8).map(CameraId);
-        cameras.map(|camera| self.eyes.rate(camera)).collect()
-    }
-
-    /// The order in which frames go where they queue for an accelerator.
-    pub(crate) fn set_discipline(&mut self, discipline: Discipline) {
-        if let Some(pipeline) = &mut self.pipeline {
-            pipeline.set_discipline(discipline);
+        let budget = self.decider.as_ref().and_then(Decider::budget);
+        Observation {
+            time: scene.time,
+            ego: &scene.ego,
+            tracks: &self.tracks,
+            forecasts: &self.forecasts[..self.tracks.len()],
+            demands: self.decider.as_ref().map_or(&[], Decider::demands),
+            rates: &self.rates,
+            budget_left: budget.map(|budget| budget - self.rates.iter().sum::<f64>()),
         }
     }
 
-    /// [Hz] what is asked of every camera, from which the deadlines of its frames follow.
-    pub(crate) fn set_demands(&mut self, demands: impl Iterator<Item = f64>) {
-        if let Some(pipeline) = &mut self.pipeline {
-            pipeline.set_demands(demands);
-        }
-    }
-
-    /// Takes measures from now on, until others are taken.
-    pub(crate) fn take(&mut self, measures: Measures) {
-        self.backup = measures.brake;
-        self.planner
-            .hold_back(measures.lower_speed, measures.longer_headway);
-    }
-
-    /// Sets the rate of every camera from now on (reading R15); before the first tick, as if they had run at it before.
-    pub(crate) fn set_rates(&mut self, rates: &[f64]) {
-        let now = self.world.scene().time;
-        for (camera, hz) in (0..).map(CameraId).zip(rates) {
-            if now == SimTime::ZERO {
-                self.eyes.begin_at(camera, *hz);
-            } else {
-                self.eyes.set_rate(camera, *hz, now);
-            }
+    fn refused(&self, error: PolicyError) -> DecisionError {
+        DecisionError {
+            scenario: self.spec.scenario.name.clone(),
+            seed: self.spec.seed,
+            time: self.time().seconds(),
+            error,
         }
     }
 }
 
-/// The forecasts of all tracks in their order, the first of the list; the rest of it is room for more.
-fn forecast(predictor: Predictor, tracks: &[Track], road: &Road, forecasts: &mut Vec<Forecast>) {
-    for (place, track) in tracks.iter().enumerate() {
-        match forecasts.get_mut(place) {
-            Some(old) => predictor.forecast_into(track, road, old),
-            None => forecasts.push(predictor.forecast(track, road)),
-        }
+impl RunSpec {
+    /// Runs it.
+    ///
+    /// # Errors
+    /// If a policy has no answer, or its rates break the limits; never where the rates stay.
+    ///
+    /// # Panics
+    /// As [`Simulation::new`].
+    pub fn run(self) -> Result<RunRecord, DecisionError> {
+        Simulation::new(self).run()
+    }
+
+    /// Runs it where no policy sets the rates, which cannot fail.
+    ///
+    /// # Panics
+    /// If a policy does and fails, and as [`Simulation::new`].
+    pub fn run_fixed(self) -> RunRecord {
+        let record = self.run();
+        record.unwrap_or_else(|error| panic!("a run whose rates stay: {error}"))
+    }
+}
+
+/// What is known of the run when a decision is made.
+fn known<'a>(spec: &'a RunSpec, world: &'a World, tracks: &'a [Track]) -> Known<'a> {
+    let scene = world.scene();
+    Known {
+        spec,
+        time: scene.time,
+        ego: &scene.ego,
+        tracks,
+    }
+}
+
+/// All cameras of a rig.
+fn cameras(system: &System) -> impl Iterator<Item = CameraId> + use<> {
+    (0..system.perception.eyes.len() as u8).map(CameraId)
+}
+
+fn set_rate(eyes: &mut Eyes, camera: CameraId, hz: f64, now: SimTime) {
+    if now == SimTime::ZERO {
+        eyes.begin_at(camera, hz);
+    } else {
+        eyes.set_rate(camera, hz, now);
     }
 }
 

@@ -95,6 +95,11 @@ pub fn starts(
     }
 }
 
+/// The starts of a run: [`starts`], or where there are none without an overlap those without jitter.
+pub(crate) fn drawn_or_meant(scenario: &Scenario, system: &System, draws: Draws<'_>) -> Vec<Start> {
+    starts(scenario, system, draws).unwrap_or_else(|_| meant(scenario, system))
+}
+
 /// The starts without jitter, which the reader of scenarios keeps apart.
 pub fn meant(scenario: &Scenario, system: &System) -> Vec<Start> {
     let ego = ego(scenario);

@@ -2,6 +2,9 @@
 
 use zhuyi_core::{Body, Command, Scene, SimTime};
 
+/// Physics, planning and recording go in steps of 10 ms; exposures do not (reading R15).
+pub const STEP: SimTime = SimTime::from_millis(10);
+
 /// The record of a run: one row per step, from the start to the last step before a contact or the end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trace {
@@ -67,6 +70,24 @@ impl Trace {
         self.commands.push(command);
         self.bodies.push(scene.ego);
         self.bodies.extend_from_slice(&scene.actors);
+    }
+
+    /// Removes all rows.
+    pub(crate) fn clear(&mut self) {
+        self.times.clear();
+        self.commands.clear();
+        self.bodies.clear();
+    }
+
+    /// Takes all rows away into a record of their own.
+    pub(crate) fn take(&mut self) -> Self {
+        Self {
+            names: self.names.clone(),
+            times: std::mem::take(&mut self.times),
+            commands: std::mem::take(&mut self.commands),
+            bodies: std::mem::take(&mut self.bodies),
+            lap: self.lap,
+        }
     }
 
     /// Names of the vehicles: `ego`, then the actors in order.

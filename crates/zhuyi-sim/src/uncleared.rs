@@ -150,6 +150,7 @@ impl Place {
 mod tests {
     use super::*;
     use zhuyi_core::{Camera, Footprint, Pose};
+    use zhuyi_perception::OwnErrors;
 
     const CAR: Footprint = Footprint {
         length: 4.0,
@@ -186,6 +187,7 @@ mod tests {
             latency: None,
             confirm_frames: 5,
             phase: None,
+            own: OwnErrors::default(),
         }];
         let params = PhantomParams {
             footprint: CAR,

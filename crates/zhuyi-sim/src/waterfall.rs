@@ -32,7 +32,7 @@ mod chain;
 use zhuyi_core::{ActorId, Manoeuvre, SimTime};
 use zhuyi_scenario::{Scenario, System};
 
-use crate::outcome::{Outcome, Run};
+use crate::outcome::{Outcome, RunRecord};
 use crate::trace::{Row, Trace};
 use chain::Chain;
 
@@ -142,7 +142,7 @@ pub struct Waterfall {
 
 impl Waterfall {
     /// Of a run with a record of what it knew; none where there was no collision or no such record.
-    pub fn of(scenario: &Scenario, system: &System, run: &Run) -> Option<Self> {
+    pub fn of(scenario: &Scenario, system: &System, run: &RunRecord) -> Option<Self> {
         let Outcome::Collision(collision) = &run.outcome else {
             return None;
         };

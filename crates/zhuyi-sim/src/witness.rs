@@ -8,9 +8,8 @@
 //!
 //! Left out: what a frame measured, and why one was dropped.
 
-use zhuyi_core::{ActorId, CameraId, Frame, SimTime};
-use zhuyi_perception::tracker::Knowledge;
-use zhuyi_perception::{Eyes, Tracker};
+use zhuyi_core::stages::{Knowledge, Tracker};
+use zhuyi_core::{ActorId, CameraId, Frame, SimTime, Track};
 
 /// The record of what a run knew. Its rows are those of the trace.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -54,13 +53,30 @@ impl Witness {
         }
     }
 
-    /// A step has been planned at `now`.
-    pub(crate) fn step(&mut self, now: SimTime, tracker: &Tracker, eyes: &Eyes) {
+    /// A step has been planned at `now`, with these tracks and rates [Hz].
+    pub(crate) fn step(
+        &mut self,
+        now: SimTime,
+        tracker: &dyn Tracker,
+        tracks: &[Track],
+        rates: &[f64],
+    ) {
         let actors = (0..self.actors).map(|place| ActorId(place as u32));
-        self.beliefs
-            .extend(actors.map(|actor| tracker.knowledge(actor, now)));
-        let cameras = (0..self.cameras).map(|place| CameraId(place as u8));
-        self.rates.extend(cameras.map(|camera| eyes.rate(camera)));
+        let of_track = |actor: ActorId| {
+            let track = tracks.iter().find(|track| track.actor == actor).copied();
+            Knowledge {
+                confirmed: track.is_some(),
+                track,
+                found: 0,
+                needed: 0,
+            }
+        };
+        let knowledge = |actor| {
+            let told = tracker.knowledge(actor, now);
+            told.unwrap_or_else(|| of_track(actor))
+        };
+        self.beliefs.extend(actors.map(knowledge));
+        self.rates.extend_from_slice(rates);
     }
 
     /// Pictures have been taken; some of them may be known already.

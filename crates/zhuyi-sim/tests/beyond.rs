@@ -12,8 +12,7 @@ use zhuyi_core::{Body, Camera, Footprint, FrameRates, Frenet, Pose, Scene, SimTi
 use zhuyi_estimator::{Estimator, PhantomParams, Uncertainty, phantom};
 use zhuyi_perception::axis::{Axis, Measurement};
 use zhuyi_scenario::{Scenario, Source, System, embedded, load};
-use zhuyi_scheduler::policy;
-use zhuyi_sim::{Allocation, Draws, Hindsight, Scheduled, Simulation};
+use zhuyi_sim::{Hindsight, RunSpec};
 
 /// Boxes anywhere around a camera of any kind that look anywhere: the visible share is the same number.
 #[test]
@@ -96,8 +95,8 @@ fn hand_the_example_of_uncertainty_is_the_steady_state_of_the_tracker() {
     let measured = Measurement {
         position: 0.0,
         speed: 0.0,
-        position_deviation: perception.noise_along,
-        speed_deviation: perception.noise_speed,
+        position_deviation: perception.errors.noise_along,
+        speed_deviation: perception.errors.noise_speed,
     };
     let mut axis = Axis::start(&measured);
     for _ in 0..3_000 {
@@ -121,12 +120,9 @@ fn hand_the_example_of_uncertainty_is_the_steady_state_of_the_tracker() {
 fn before_sight(name: &str, headway: f64) -> (f64, f64, f64) {
     let (scenario, system) = read(name);
     let rates = FrameRates::new(vec![30.0; system.perception.eyes.len()]);
-    let draws = Draws {
-        root: 0,
-        scenario: name,
-        seed: 0,
-    };
-    let run = Simulation::new(&scenario, &system, &rates, draws).run();
+    let run = RunSpec::new(scenario.clone(), system.clone())
+        .at_rates(rates.clone())
+        .run_fixed();
     let obstacle = scenario.actors.iter().position(|a| a.name == "obstacle");
     let obstacle = obstacle.expect("an obstacle");
     let share = system.perception.visible_share;
@@ -166,20 +162,12 @@ fn hand_phantoms_past_the_tracks_raise_the_demand_before_the_obstacle_is_in_sigh
     for (name, required) in [("cut-out", 2.0), ("cut-out-fast", 6.0)] {
         let (sight, _, in_hindsight) = before_sight(name, 0.0);
         let (scenario, system) = read(name);
-        let draws = Draws {
-            root: 0,
-            scenario: name,
-            seed: 0,
-        };
         assert_eq!(system.online.phantom_headway, 0.0);
         // A policy that looks at phantoms, with enough for 30 FPR on every camera.
-        let allocation = Allocation {
-            policy: policy("phantom").expect("a policy"),
-            budget: 150.0,
-        };
-        let scheduled = Scheduled::new(&scenario, &system, draws, allocation);
-        let (_, asked) = scheduled.run().expect("no program, nothing to fail");
-        let front = asked.iter().map(|asked| {
+        let spec = RunSpec::new(scenario, system).under_policy("phantom", 150.0);
+        let run = spec.expect("a policy").run();
+        let run = run.expect("no program, nothing to fail");
+        let front = run.decisions.iter().map(|asked| {
             let demands = &asked.by_model[0];
             (asked.time.seconds(), demands.zhuyi, demands.phantom)
         });

@@ -3,10 +3,10 @@
 use zhuyi_core::{ActorId, FrameRates, SimTime};
 use zhuyi_scenario::{Source, embedded, load};
 use zhuyi_sim::notes::{Note, Subject, notes};
-use zhuyi_sim::{Draws, Outcome, Run, Simulation};
+use zhuyi_sim::{Outcome, RunRecord, RunSpec};
 
 /// The run of a scene at 30 FPR without jitter, and its notes.
-fn run(road: &str, ego: &str, seconds: u32, actors: &str) -> (Run, Vec<Note>) {
+fn run(road: &str, ego: &str, seconds: u32, actors: &str) -> (RunRecord, Vec<Note>) {
     let text = format!(
         "(title: \"t\", road: {road}, ego: {ego}, duration_s: {seconds}, actors: [{actors}])"
     );
@@ -16,12 +16,9 @@ fn run(road: &str, ego: &str, seconds: u32, actors: &str) -> (Run, Vec<Note>) {
     let (scenario, system) = load(&Source::new("scene", text), &system, &settings)
         .unwrap_or_else(|invalid| panic!("{invalid}"));
     let rates = FrameRates::new(vec![30.0; system.perception.eyes.len()]);
-    let draws = Draws {
-        root: 0,
-        scenario: "scene",
-        seed: 0,
-    };
-    let run = Simulation::new(&scenario, &system, &rates, draws).run();
+    let run = RunSpec::new(scenario.clone(), system.clone())
+        .at_rates(rates.clone())
+        .run_fixed();
     let notes = notes(&run.trace, &scenario.road);
     (run, notes)
 }
@@ -104,7 +101,7 @@ fn hand_who_leaves_the_road_sideways_is_noted() {
 fn regress_a_contact_from_behind_is_told_apart() {
     let road = "(lanes: 1, lane_width_m: 3.5, segments: [Line(length_m: 3000)])";
     let fast = "(name: \"fast\", lane: 1, start: Behind(gap_m: 60), speed_mps: 20)";
-    let collision = |run: Run| match run.outcome {
+    let collision = |run: RunRecord| match run.outcome {
         Outcome::Collision(collision) => collision,
         Outcome::Completed => panic!("no contact"),
     };

@@ -4,7 +4,7 @@
 use zhuyi_core::{ActorId, FrameRates};
 use zhuyi_estimator::{Estimator, Evasion, Params, PhantomParams, Solver, Watch};
 use zhuyi_scenario::{Scenario, Source, System, embedded, load};
-use zhuyi_sim::{Draws, Hindsight, Peaks, Run, Simulation};
+use zhuyi_sim::{Hindsight, Peaks, RunRecord, RunSpec};
 
 fn scenario(name: &str) -> (Scenario, System) {
     let text = embedded::scenario(name).expect("an embedded name");
@@ -12,19 +12,17 @@ fn scenario(name: &str) -> (Scenario, System) {
     load(&Source::new(format!("{name}.ron"), text), &system, &[]).expect("a valid scenario")
 }
 
-fn drive(scenario: &Scenario, system: &System, rates: &FrameRates) -> Run {
-    let draws = Draws {
-        root: 0,
-        scenario: &scenario.name,
-        seed: 3,
-    };
-    Simulation::new(scenario, system, rates, draws).run()
+fn drive(scenario: &Scenario, system: &System, rates: &FrameRates) -> RunRecord {
+    RunSpec::new(scenario.clone(), system.clone())
+        .with_seed(3)
+        .at_rates(rates.clone())
+        .run_fixed()
 }
 
 /// Row by row, nothing remembered.
 fn plainly(
     hindsight: &Hindsight<'_>,
-    (run, system, rates): (&Run, &System, &FrameRates),
+    (run, system, rates): (&RunRecord, &System, &FrameRates),
     estimator: &Estimator,
 ) -> Peaks {
     let rig: Vec<_> = system.perception.eyes.iter().zip(rates.all()).collect();

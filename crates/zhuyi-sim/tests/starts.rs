@@ -4,7 +4,7 @@ use rand::RngExt;
 use zhuyi_core::{FrameRates, Frenet};
 use zhuyi_scenario::{Scenario, Setting, Source, System, embedded, load};
 use zhuyi_sim::starts::{MOST_DRAWS, starts};
-use zhuyi_sim::{Draws, Simulation};
+use zhuyi_sim::{Draws, RunSpec};
 use zhuyi_world::contact::overlap;
 
 fn read(actors: &str, jitter: f64) -> (Scenario, System) {
@@ -103,7 +103,10 @@ fn hand_a_start_without_a_place_is_refused() {
         "{told}"
     );
     let rates = FrameRates::new(vec![30.0; system.perception.eyes.len()]);
-    let run = Simulation::new(&scenario, &system, &rates, draws(&scenario, 3)).run();
+    let run = RunSpec::new(scenario, system)
+        .with_seed(3)
+        .at_rates(rates)
+        .run_fixed();
     assert_eq!(run.trace.row(0).actors[1].road.s, 204.601);
 }
 

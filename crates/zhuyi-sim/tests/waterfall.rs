@@ -4,7 +4,7 @@
 
 use zhuyi_core::{FrameRates, SimTime};
 use zhuyi_scenario::{Scenario, Source, System, embedded, load};
-use zhuyi_sim::{Cause, Draws, Outcome, Run, Simulation, Stage, Waterfall};
+use zhuyi_sim::{Cause, Outcome, RunRecord, RunSpec, Stage, Waterfall};
 
 fn meant(name: &str) -> (Scenario, System) {
     let scenario = Source::new(format!("{name}.ron"), embedded::scenario(name).unwrap());
@@ -16,20 +16,17 @@ fn meant(name: &str) -> (Scenario, System) {
     .unwrap()
 }
 
-fn drive(scenario: &Scenario, system: &System, fpr: f64, seed: u64) -> Run {
+fn drive(scenario: &Scenario, system: &System, fpr: f64, seed: u64) -> RunRecord {
     let rates = FrameRates::new(vec![fpr; system.perception.eyes.len()]);
-    let draws = Draws {
-        root: 0,
-        scenario: &scenario.name,
-        seed,
-    };
-    Simulation::new(scenario, system, &rates, draws)
+    RunSpec::new(scenario.clone(), system.clone())
+        .with_seed(seed)
+        .at_rates(rates.clone())
         .witnessed()
-        .run()
+        .run_fixed()
 }
 
 /// Every collision at a low rate of the nine scenarios.
-fn collisions(mut look: impl FnMut(&Scenario, &System, f64, &Run, &Waterfall)) -> usize {
+fn collisions(mut look: impl FnMut(&Scenario, &System, f64, &RunRecord, &Waterfall)) -> usize {
     let mut count = 0;
     for name in embedded::names() {
         let (scenario, system) = meant(name);
@@ -133,12 +130,9 @@ fn law_the_frames_that_a_waterfall_tells_of_are_frames_of_the_run() {
 fn law_a_run_with_a_witness_is_the_run_without() {
     let (scenario, system) = meant("cut-out-fast");
     let rates = FrameRates::new(vec![5.0; system.perception.eyes.len()]);
-    let draws = Draws {
-        root: 0,
-        scenario: &scenario.name,
-        seed: 0,
-    };
-    let without = Simulation::new(&scenario, &system, &rates, draws).run();
+    let without = RunSpec::new(scenario.clone(), system.clone())
+        .at_rates(rates.clone())
+        .run_fixed();
     let with = drive(&scenario, &system, 5.0, 0);
     assert_eq!(without.trace, with.trace);
     assert_eq!(without.frames, with.frames);

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use zhuyi_core::{ActorId, Body, Command, Footprint, Point, Pose, Road, Scene, SimTime};
+use zhuyi_core::{ActorId, Body, Command, Pose, Road, Scene, SimTime};
 
 use crate::actor::Mover;
 use crate::contact::{Contact, Motion, are_far_apart, first_contact};
@@ -200,13 +200,9 @@ impl World {
         beside(self.ego_at(time).road.s, body, &self.road)
     }
 
-    /// The box of an actor, and about where it is during the last step: a point, and how far from it [m] its centre is at most.
-    #[inline]
-    pub fn roughly(&self, actor: usize) -> (Footprint, Point, f64) {
-        let (from, to) = (&self.previous.actors[actor], &self.scene.actors[actor]);
-        // Nobody turns back within a step, and no way of it is twice as long as the sides of its box together.
-        let sides = (to.pose.x - from.pose.x).abs() + (to.pose.y - from.pose.y).abs();
-        (to.footprint, to.pose.point(), 2.0 * sides)
+    /// The actors at the start and at the end of the last step, in their order.
+    pub fn ends(&self) -> (&[Body], &[Body]) {
+        (&self.previous.actors, &self.scene.actors)
     }
 
     /// The truth at an instant of the last step, written into `scene`.

@@ -21,8 +21,8 @@
 //!
 //! // Run it once, with every camera at 5 FPR.
 //! let rates = FrameRates::new(vec![5.0; system.perception.eyes.len()]);
-//! let draws = Draws { root: 0, scenario: &scenario.name, seed: 3 };
-//! let run = Simulation::new(&scenario, &system, &rates, draws).run();
+//! let spec = RunSpec::new(scenario.clone(), system.clone()).with_seed(3);
+//! let run = spec.clone().at_rates(rates.clone()).run()?;
 //! assert!(!run.collided());
 //! assert!(run.extremes(&scenario.road).gap.is_some_and(|metres| metres > 1.0));
 //!
@@ -32,10 +32,9 @@
 //! assert!(peaks.largest > 1.0 && peaks.largest < 5.0);
 //!
 //! // Let a policy set the rates while driving, within a budget of 20 frames per second for all five cameras.
-//! let allocation = Allocation { policy: policy("phantom")?, budget: 20.0 };
-//! let (run, decisions) = Scheduled::new(&scenario, &system, draws, allocation).run()?;
+//! let run = spec.under_policy("phantom", 20.0)?.run()?;
 //! assert!(!run.collided());
-//! assert!(decisions.iter().all(|decision| decision.granted.iter().sum::<f64>() < 20.0 + 1e-8));
+//! assert!(run.decisions.iter().all(|decision| decision.granted.iter().sum::<f64>() < 20.0 + 1e-8));
 //! # Ok(())
 //! # }
 //! ```
@@ -77,6 +76,6 @@ pub mod prelude {
     pub use zhuyi_scenario::{Scenario, Setting, Source, System, embedded};
     pub use zhuyi_scheduler::{CameraState, Demands, Policy, PolicyError, Situation, policy};
     pub use zhuyi_sim::{
-        Allocation, Draws, Hindsight, Outcome, Peaks, Run, Scheduled, Simulation, Trace,
+        Action, Hindsight, Outcome, Peaks, RunRecord, RunSpec, Setup, Simulation, Trace,
     };
 }

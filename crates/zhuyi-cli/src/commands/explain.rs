@@ -121,8 +121,8 @@ impl Arguments {
 }
 
 impl Task for Explain {
-    fn run(mut self: Box<Self>) -> Result<Answer, Error> {
-        let (run, _) = self.run.drive(true)?;
+    fn run(self: Box<Self>) -> Result<Answer, Error> {
+        let run = self.run.drive(true)?;
         let explanation = Explanation::of(&self.run, &run);
         Ok(Answer::new(if self.json {
             explanation.json()

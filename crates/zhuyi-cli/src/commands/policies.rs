@@ -1,15 +1,15 @@
 //! Policies and budgets as typed: a budget is in frames per second, or in TOPS of an accelerator.
 
 use zhuyi_scenario::System;
-use zhuyi_scheduler::{CameraState, Chip, Compute, Demands, Policy, Situation, policy};
+use zhuyi_scheduler::{CameraState, Chip, Compute, Demands, MakePolicy, Situation, policy_maker};
 
 use crate::argument::Argument;
 use crate::fault::Fault;
 use crate::problems::Problems;
 
-/// The policy of a name.
-pub fn named(name: &str, problems: &mut Problems) -> Option<Box<dyn Policy>> {
-    policy(name)
+/// What makes the policy of a name.
+pub fn named(name: &str, problems: &mut Problems) -> Option<MakePolicy> {
+    policy_maker(name)
         .map_err(|error| {
             let argument = Argument::new("--policy", name);
             argument.refuse(&argument.all(), Fault::Policy(error), problems);
@@ -23,7 +23,7 @@ pub fn look_at(name: &str, budget: f64, system: &System, problems: &mut Problems
     if !name.starts_with("static:") {
         return;
     }
-    let Some(mut policy) = named(name, problems) else {
+    let Some(policy) = named(name, problems) else {
         return;
     };
     let eyes = system.perception.eyes.iter();
@@ -42,7 +42,7 @@ pub fn look_at(name: &str, budget: f64, system: &System, problems: &mut Problems
         cameras: &cameras,
     };
     let mut rates = vec![0.0; cameras.len()];
-    if let Err(error) = situation.decided_by(&mut *policy, &mut rates) {
+    if let Err(error) = situation.decided_by(&mut *policy(), &mut rates) {
         let argument = Argument::new("--policy", name);
         argument.refuse(&argument.all(), Fault::Unfit(error.to_string()), problems);
     }

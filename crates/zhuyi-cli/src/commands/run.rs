@@ -11,10 +11,9 @@ use clap::Args;
 use zhuyi_core::FrameRates;
 use zhuyi_core::camera::FULL_RATE;
 use zhuyi_scenario::{Scenario, System};
+use zhuyi_scheduler::MakePolicy;
 use zhuyi_scheduler::safety::Response;
-use zhuyi_sim::{
-    Allocation, Asked, Draws, Scheduled, Simulation, equal_parts, known_future, trace_csv,
-};
+use zhuyi_sim::{RunRecord, RunSpec, equal_parts, known_future, trace_csv};
 
 use super::Task;
 use super::policies::{self, Budget};
@@ -138,7 +137,8 @@ pub struct Run {
     trace: Option<Output>,
     online: Option<Output>,
     report: Option<Output>,
-    allocation: Option<Allocation>,
+    /// The policy with its budget [Hz].
+    policy: Option<(MakePolicy, f64)>,
     json: bool,
     /// What was typed, to say what to type next.
     pub typed: Arguments,
@@ -184,9 +184,7 @@ impl Arguments {
                 Some(budget) => equal_parts(&system, budget),
                 None => rates?,
             };
-            let allocation = policy?
-                .zip(budget)
-                .map(|(policy, budget)| Allocation { policy, budget });
+            let policy = policy?.zip(budget);
             Some(Run {
                 scenario: scenario?,
                 system,
@@ -196,7 +194,7 @@ impl Arguments {
                 trace: trace?,
                 online: online?,
                 report: report?,
-                allocation,
+                policy,
                 json: self.json,
                 typed: self,
             })
@@ -268,14 +266,13 @@ pub fn seed(argument: Argument<'_>, problems: &mut Problems) -> Option<u64> {
 
 impl Task for Run {
     fn run(mut self: Box<Self>) -> Result<Answer, Error> {
-        let (run, asked) = self.drive(self.report.is_some())?;
-        let summary = Summary::new(&self, &run, &asked);
-        if let (Some(page), Some(output)) = (self.page(&summary, &run, &asked), self.report.take())
-        {
+        let run = self.drive(self.report.is_some())?;
+        let summary = Summary::new(&self, &run);
+        if let (Some(page), Some(output)) = (self.page(&summary, &run), self.report.take()) {
             output.write(page.as_bytes())?;
         }
         if let Some(output) = self.online.take() {
-            let text = online::csv(&self.scenario, &self.system, &run, &asked);
+            let text = online::csv(&self.scenario, &self.system, &run);
             output.write(text.as_bytes())?;
         }
         if let Some(output) = self.trace.take() {
@@ -298,48 +295,36 @@ impl Task for Run {
 }
 
 impl Run {
-    /// Makes the drive, with a record of what it knew if wanted. A policy is used up by it.
-    pub fn drive(&mut self, witnessed: bool) -> Result<(zhuyi_sim::Run, Vec<Asked>), Error> {
-        let draws = Draws {
-            root: self.root_seed,
-            scenario: &self.scenario.name,
-            seed: self.seed,
-        };
-        let (scenario, system, rates) = (&self.scenario, &self.system, &self.rates);
-        let scheduled = match self.allocation.take() {
-            Some(allocation) => {
-                let future = self.future(&allocation, draws);
-                let scheduled = Scheduled::new(scenario, system, draws, allocation);
-                Some(scheduled.with_known_future(future))
-            }
+    /// Makes the drive, with a record of what it knew if wanted.
+    pub fn drive(&self, witnessed: bool) -> Result<RunRecord, Error> {
+        let spec = RunSpec::new(self.scenario.clone(), self.system.clone())
+            .with_root_seed(self.root_seed)
+            .with_seed(self.seed);
+        let spec = if let Some((policy, budget)) = &self.policy {
+            let future = self.future(&spec, policy);
+            let spec = spec.under(policy.clone(), *budget);
+            let spec = spec.unwrap_or_else(|error| unreachable!("it has been read: {error}"));
+            spec.with_known_future(future)
+        } else {
+            let fixed = spec.at_rates(self.rates.clone());
             // The estimate beside the drive, which it changes only where an alarm does.
-            None if self.online.is_some() || system.online.response != Response::None => {
-                Some(Scheduled::watching(scenario, system, rates, draws))
+            if self.online.is_some() || self.system.online.response != Response::None {
+                fixed.estimated()
+            } else {
+                fixed
             }
-            None => None,
         };
-        Ok(match scheduled {
-            Some(scheduled) if witnessed => scheduled.witnessed().run()?,
-            Some(scheduled) => scheduled.run()?,
-            None => {
-                let simulation = Simulation::new(scenario, system, rates, draws);
-                let simulation = if witnessed {
-                    simulation.witnessed()
-                } else {
-                    simulation
-                };
-                (simulation.run(), Vec::new())
-            }
-        })
+        let spec = if witnessed { spec.witnessed() } else { spec };
+        Ok(spec.run()?)
     }
 
     /// The future that the policy `clairvoyant` knows: that of the same drive with every camera at 30 FPR.
-    fn future(&self, allocation: &Allocation, draws: Draws<'_>) -> Vec<Vec<f64>> {
-        if allocation.policy.name() != "clairvoyant" {
+    fn future(&self, spec: &RunSpec, policy: &MakePolicy) -> Vec<Vec<f64>> {
+        if policy().name() != "clairvoyant" {
             return Vec::new();
         }
         let full = FrameRates::new(vec![FULL_RATE; self.rates.all().len()]);
-        let run = Simulation::new(&self.scenario, &self.system, &full, draws).run();
+        let run = spec.clone().at_rates(full.clone()).run_fixed();
         known_future(&run.trace, &self.scenario.road, &self.system, &full)
     }
 

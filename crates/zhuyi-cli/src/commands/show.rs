@@ -2,7 +2,7 @@
 
 use clap::Args;
 use zhuyi_scenario::{Kind, Scenario, Source, System};
-use zhuyi_sim::{Draws, Simulation};
+use zhuyi_sim::RunSpec;
 
 use super::Task;
 use crate::answer::Answer;
@@ -93,13 +93,10 @@ impl Task for Show {
 
 /// What the drive of seed 0 asks of every camera, at the rates of the system file.
 fn asked(scenario: &Scenario, system: &System) -> String {
-    let draws = Draws {
-        root: 0,
-        scenario: &scenario.name,
-        seed: 0,
-    };
     let rates = &system.default_rates;
-    let run = Simulation::new(scenario, system, rates, draws).run();
+    let run = RunSpec::new(scenario.clone(), system.clone())
+        .at_rates(rates.clone())
+        .run_fixed();
     let ends = if run.collided() {
         ", up to its collision"
     } else {

@@ -8,7 +8,7 @@ use crate::{Bench, Ran};
 use zhuyi_core::FrameRates;
 use zhuyi_estimator::Estimator;
 use zhuyi_scenario::{Source, embedded, load};
-use zhuyi_sim::{Draws, Hindsight, Simulation};
+use zhuyi_sim::{Hindsight, RunSpec};
 
 const HEADER: &str = "time_s,id,x_m,y_m,heading_rad,speed_mps,accel_mps2,length_m,width_m\n";
 
@@ -34,12 +34,9 @@ fn demands(name: &str) -> Vec<Vec<f64>> {
     let system = source("default", embedded::system());
     let (scenario, system) = load(&scenario, &system, &[]).unwrap();
     let rates = FrameRates::new(vec![30.0; system.perception.eyes.len()]);
-    let draws = Draws {
-        root: 0,
-        scenario: &scenario.name,
-        seed: 0,
-    };
-    let run = Simulation::new(&scenario, &system, &rates, draws).run();
+    let run = RunSpec::new(scenario.clone(), system.clone())
+        .at_rates(rates.clone())
+        .run_fixed();
     let estimator = Estimator::new(system.estimator.clone());
     let hindsight = Hindsight::new(&run.trace, &scenario.road, &system, &rates);
     let rows = run.trace.rows().map(|row| {

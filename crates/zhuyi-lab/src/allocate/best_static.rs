@@ -12,7 +12,6 @@ use zhuyi_core::FrameRates;
 use zhuyi_scenario::System;
 use zhuyi_scheduler::search::allocations;
 use zhuyi_scheduler::sharing::floor;
-use zhuyi_sim::Simulation;
 
 use super::{Allocating, Budget};
 use crate::progress::Progress;
@@ -151,8 +150,8 @@ fn collisions(
     let eyes = system.perception.eyes.iter();
     let rates = FrameRates::new(eyes.map(|eye| of_camera(&eye.camera.name)).collect());
     let collides = |seed: u64| {
-        let draws = plan.draws(scenario, seed);
-        let run = Simulation::new(&plan.scenarios[scenario], system, &rates, draws).run();
+        let spec = plan.spec(scenario, system, seed);
+        let run = spec.at_rates(rates.clone()).run_fixed();
         u32::from(run.collided())
     };
     (0..plan.seeds).into_par_iter().map(collides).sum()

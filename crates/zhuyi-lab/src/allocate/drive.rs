@@ -3,10 +3,9 @@
 //! Jerk is the root mean square of the change of the ego's acceleration from step to step over the time of a step, in
 //! m/s3. An alarm speaks [`HORIZON`] ahead. Left out: lateral jerk.
 
-use zhuyi_scenario::{Scenario, System};
-use zhuyi_scheduler::policy;
+use zhuyi_scenario::Scenario;
 use zhuyi_scheduler::score::{Score, score};
-use zhuyi_sim::{Allocation, Asked, DecisionError, Draws, Frames, Outcome, Run, STEP, Scheduled};
+use zhuyi_sim::{DecisionError, Frames, Outcome, RunRecord, RunSpec, STEP};
 
 /// [s] X: a collision that comes later than this after an alarm was not what it spoke of.
 pub const HORIZON: f64 = 3.0;
@@ -43,23 +42,21 @@ pub struct Severity {
 /// If the policy fails.
 ///
 /// # Panics
-/// If there is no policy of that name.
+/// If there is no policy of that name, or the budget is not positive and finite.
 pub fn drive(
-    scenario: &Scenario,
-    system: &System,
-    draws: Draws<'_>,
+    spec: RunSpec,
     (name, budget): (&str, f64),
-    future: &[Vec<f64>],
+    future: Vec<Vec<f64>>,
 ) -> Result<Driven, DecisionError> {
-    let policy = policy(name).unwrap_or_else(|unknown| panic!("{unknown}"));
-    let allocation = Allocation { policy, budget };
-    let scheduled = Scheduled::new(scenario, system, draws, allocation);
-    let (run, asked) = scheduled.with_known_future(future.to_vec()).run()?;
-    Ok(Driven::new(scenario, &run, &asked))
+    let scenario = spec.scenario().clone();
+    let spec = spec.under_policy(name, budget);
+    let spec = spec.unwrap_or_else(|error| panic!("{error}"));
+    let run = spec.with_known_future(future).run()?;
+    Ok(Driven::new(&scenario, &run))
 }
 
 impl Driven {
-    fn new(scenario: &Scenario, run: &Run, asked: &[Asked]) -> Self {
+    fn new(scenario: &Scenario, run: &RunRecord) -> Self {
         let (collision, end) = match &run.outcome {
             Outcome::Completed => (None, scenario.duration),
             Outcome::Collision(collision) => {
@@ -77,7 +74,8 @@ impl Driven {
             frames.processed += of.processed;
             frames.dropped += of.dropped;
         }
-        let timeline: Vec<(f64, bool)> = asked
+        let timeline: Vec<(f64, bool)> = run
+            .decisions
             .iter()
             .map(|asked| (asked.time.seconds(), asked.alarms.contains(&true)))
             .collect();
@@ -94,7 +92,7 @@ impl Driven {
     }
 }
 
-fn jerk(run: &Run) -> f64 {
+fn jerk(run: &RunRecord) -> f64 {
     let accels: Vec<f64> = run.trace.rows().map(|row| row.ego.accel).collect();
     let squares = accels
         .windows(2)

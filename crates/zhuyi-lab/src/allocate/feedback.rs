@@ -10,8 +10,7 @@
 //! demand and no more, under both readings of l_0.
 
 use zhuyi_scenario::System;
-use zhuyi_scheduler::policy;
-use zhuyi_sim::{Allocation, DecisionError, Scheduled};
+use zhuyi_sim::DecisionError;
 
 use super::tally::Tally;
 use super::{Allocating, Budgets};
@@ -80,15 +79,10 @@ fn comparison(plan: &Allocating, systems: &[System; 2]) -> Result<Comparison, De
     let camera = eyes.iter().position(|eye| eye.camera.analysed);
     let camera = camera.unwrap_or_default();
     let points = |scenario: usize, system: &System| -> Result<Points, DecisionError> {
-        let allocation = Allocation {
-            policy: policy(POLICY).unwrap_or_else(|unknown| panic!("{unknown}")),
-            budget: PLENTY,
-        };
-        let draws = plan.draws(scenario, 0);
-        let scenario = &plan.scenarios[scenario];
-        let (_, asked) = Scheduled::new(scenario, system, draws, allocation).run()?;
+        let spec = plan.spec(scenario, system, 0).under_policy(POLICY, PLENTY);
+        let run = spec.unwrap_or_else(|error| panic!("{error}")).run()?;
         let point = |asked: &zhuyi_sim::Asked| (asked.time.seconds(), asked.demands[camera].fpr);
-        Ok(asked.iter().map(point).collect())
+        Ok(run.decisions.iter().map(point).collect())
     };
     let mut furthest: Option<(f64, usize, [Points; 2])> = None;
     for scenario in 0..plan.scenarios.len() {

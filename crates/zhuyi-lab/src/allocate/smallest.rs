@@ -7,7 +7,7 @@
 //! assumption about what is not seen yet ([`phantom-only`](zhuyi_scheduler::policies::phantom_only)).
 
 use zhuyi_scenario::{Scenario, Source};
-use zhuyi_sim::{DecisionError, Draws};
+use zhuyi_sim::{DecisionError, RunSpec};
 
 use super::drive::{Driven, drive};
 use super::tally::Tally;
@@ -41,12 +41,9 @@ pub(super) fn smallest(plan: &Allocating) -> Result<Vec<Smallest>, DecisionError
         return Ok(Vec::new());
     };
     let one = |policy, budget, seed| {
-        let draws = Draws {
-            root: plan.root_seed,
-            scenario: &scenario.name,
-            seed,
-        };
-        drive(&scenario, &plan.system, draws, (policy, budget), &[])
+        let spec = RunSpec::new(scenario.clone(), plan.system.clone());
+        let spec = spec.with_root_seed(plan.root_seed).with_seed(seed);
+        drive(spec, (policy, budget), Vec::new())
     };
     let pairs = POLICIES.into_iter().zip(BUDGETS);
     pairs

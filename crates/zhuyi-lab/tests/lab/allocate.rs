@@ -5,7 +5,7 @@ use zhuyi_lab::allocate::{Allocated, BEST_STATIC, all_policies};
 use zhuyi_lab::rates::group;
 use zhuyi_lab::{Allocating, Budgets, allocate};
 use zhuyi_scheduler::search::allocations;
-use zhuyi_sim::{Draws, Simulation};
+use zhuyi_sim::RunSpec;
 
 use crate::small::plan;
 
@@ -105,13 +105,11 @@ fn law_the_best_static_rates_are_those_of_trying_all() {
             let eyes = plan.system.perception.eyes.iter();
             let rates = FrameRates::new(eyes.map(|eye| of(&eye.camera.name)).collect());
             let collides = |seed: u64| {
-                let draws = Draws {
-                    root: 0,
-                    scenario: "cut-out-fast",
-                    seed,
-                };
                 let scenario = &plan.scenarios[0];
-                let run = Simulation::new(scenario, &plan.system, &rates, draws).run();
+                let run = RunSpec::new(scenario.clone(), plan.system.clone())
+                    .with_seed(seed)
+                    .at_rates(rates.clone())
+                    .run_fixed();
                 usize::from(run.collided())
             };
             (0..2).map(collides).sum::<usize>()

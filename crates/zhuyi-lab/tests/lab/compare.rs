@@ -11,7 +11,7 @@ use zhuyi_lab::rates::uniform;
 use zhuyi_lab::sweep::grid;
 use zhuyi_lab::{Comparison, Plan, compare};
 use zhuyi_scenario::{Scenario, Source};
-use zhuyi_sim::{Draws, Simulation, Trace};
+use zhuyi_sim::{RunSpec, Trace};
 
 use crate::small::plan;
 
@@ -249,12 +249,9 @@ fn law_every_worst_moment_ends_in_a_contact_at_what_was_asked_and_not_at_what_wa
     let mut replayed = 0;
     for (scenario, audited) in comparison.scenarios.iter().zip(&compared.scenarios) {
         let rates = uniform(&comparison.system, comparison.fpr);
-        let draws = Draws {
-            root: 0,
-            scenario: &scenario.name,
-            seed: 0,
-        };
-        let run = Simulation::new(scenario, &comparison.system, &rates, draws).run();
+        let run = RunSpec::new(scenario.clone(), comparison.system.clone())
+            .at_rates(rates.clone())
+            .run_fixed();
         for (name, tally) in compared.models.iter().zip(&audited.models) {
             let Some(worst) = &tally.worst else { continue };
             assert!(

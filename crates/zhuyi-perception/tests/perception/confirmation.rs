@@ -2,7 +2,7 @@
 
 use crate::rig::{CAR_0, FRONT, World, body, eye, millis, perception, scene};
 use zhuyi_core::{CameraId, Detection, Frame, Frenet, Pose, Scene, SimTime};
-use zhuyi_perception::{Eye, Perception, visible_share};
+use zhuyi_perception::{Errors, Eye, Perception, visible_share};
 
 /// Puts the car out of range of everything while `hidden`.
 fn hide(hidden: impl Fn(SimTime) -> bool) -> impl FnMut(&mut Scene) {
@@ -182,7 +182,10 @@ fn hand_a_change_of_rate_keeps_the_count() {
 #[test]
 fn hand_the_first_glance_misses_nothing() {
     let blind = Perception {
-        miss_rate: 1.0,
+        errors: Errors {
+            miss_rate: 1.0,
+            ..Errors::default()
+        },
         ..perception(vec![eye(0.0, 120.0)])
     };
     let mut world = World::new(&blind, &[10.0], 1, scene(vec![body(30.0, 0.0, 0.0)]));

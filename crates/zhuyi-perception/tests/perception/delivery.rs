@@ -3,7 +3,7 @@
 use crate::rig::{CAR_0, FRONT, Scenes, World, body, draws, eye, millis, perception, scene};
 use std::iter;
 use zhuyi_core::{CameraId, Detection, Frame, FrameRates, Scene, SimTime};
-use zhuyi_perception::{Eye, Eyes, Perception};
+use zhuyi_perception::{Errors, Eye, Eyes, Perception};
 
 /// All frames of a rig that looks at a standing car for a while, in the order of delivery.
 fn frames(params: &Perception, hz: &[f64], to: SimTime) -> Vec<Frame> {
@@ -120,7 +120,7 @@ fn law_frames_come_in_order_of_ready_then_camera() {
         &params,
         &FrameRates::new(vec![30.0, 10.0, 4.0]),
         draws(1),
-        &start,
+        start.actors.len(),
     );
     eyes.expose(millis(4000), &mut &start);
     let frames: Vec<_> = iter::from_fn(|| eyes.deliver(millis(3000))).collect();
@@ -138,7 +138,12 @@ fn hand_a_frame_overtaken_after_a_change_of_rate_is_dropped() {
     // are ready before it.
     let params = perception(vec![eye(0.0, 120.0)]);
     let start = scene(vec![body(30.0, 0.0, 0.0)]);
-    let mut eyes = Eyes::new(&params, &FrameRates::new(vec![1.0]), draws(1), &start);
+    let mut eyes = Eyes::new(
+        &params,
+        &FrameRates::new(vec![1.0]),
+        draws(1),
+        start.actors.len(),
+    );
     let mut first = None;
     let mut seen = Vec::new();
     let mut now = SimTime::ZERO;
@@ -186,9 +191,12 @@ fn hand_a_frame_overtaken_after_a_change_of_rate_is_dropped() {
 #[test]
 fn law_detections_scatter_as_their_deviations_say() {
     let noisy = Perception {
-        noise_along: 0.1,
-        noise_across: 0.05,
-        noise_speed: 0.2,
+        errors: Errors {
+            noise_along: 0.1,
+            noise_across: 0.05,
+            noise_speed: 0.2,
+            ..Errors::default()
+        },
         ..perception(vec![Eye {
             latency: Some(0.0),
             ..eye(0.0, 120.0)
@@ -235,11 +243,17 @@ fn law_detections_scatter_as_their_deviations_say() {
 #[test]
 fn law_misses_come_at_their_rate_and_do_not_shift_the_noise() {
     let noisy = Perception {
-        noise_along: 0.1,
+        errors: Errors {
+            noise_along: 0.1,
+            ..Errors::default()
+        },
         ..perception(vec![eye(0.0, 120.0)])
     };
     let missing = Perception {
-        miss_rate: 0.1,
+        errors: Errors {
+            miss_rate: 0.1,
+            ..noisy.errors
+        },
         ..noisy.clone()
     };
     let (all, some) = (
@@ -263,10 +277,13 @@ fn law_misses_come_at_their_rate_and_do_not_shift_the_noise() {
 #[test]
 fn law_the_jth_frame_has_the_same_luck_at_any_rate_of_any_camera() {
     let noisy = Perception {
-        noise_along: 0.1,
-        noise_across: 0.05,
-        noise_speed: 0.2,
-        miss_rate: 0.2,
+        errors: Errors {
+            noise_along: 0.1,
+            noise_across: 0.05,
+            noise_speed: 0.2,
+            miss_rate: 0.2,
+            ..Errors::default()
+        },
         ..perception(vec![eye(0.0, 120.0), eye(0.0, 60.0)])
     };
     let luck = |hz: [f64; 2], camera: CameraId| -> Vec<Vec<Detection>> {
@@ -287,7 +304,10 @@ fn law_the_jth_frame_has_the_same_luck_at_any_rate_of_any_camera() {
 #[test]
 fn law_an_actor_out_of_sight_uses_up_its_luck() {
     let noisy = Perception {
-        noise_along: 0.1,
+        errors: Errors {
+            noise_along: 0.1,
+            ..Errors::default()
+        },
         ..perception(vec![eye(0.0, 120.0)])
     };
     let run = |hidden_until: SimTime| {

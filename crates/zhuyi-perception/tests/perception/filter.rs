@@ -10,7 +10,7 @@ use rand_chacha::ChaCha8Rng;
 use zhuyi_core::{Scene, SimTime};
 use zhuyi_perception::axis::{Axis, FIRST_ACCEL_DEVIATION, Measurement};
 use zhuyi_perception::normal;
-use zhuyi_perception::{Eye, Perception};
+use zhuyi_perception::{Errors, Eye, Perception};
 
 const NOISE: (f64, f64) = (0.1, 0.05);
 const JERK_DENSITY: f64 = 2.0;
@@ -164,9 +164,12 @@ fn law_without_noise_the_track_of_a_braking_car_is_the_car() {
 fn law_a_braking_car_is_never_believed_to_reverse() {
     // It stands after 2 s; with noise, at 1 Hz, whoever asks at any time hears of a speed of at least 0.
     let noisy = Perception {
-        noise_along: 0.1,
-        noise_across: 0.05,
-        noise_speed: 0.2,
+        errors: Errors {
+            noise_along: 0.1,
+            noise_across: 0.05,
+            noise_speed: 0.2,
+            ..Errors::default()
+        },
         ..perception(vec![Eye {
             latency: None,
             ..eye(0.0, 120.0)

@@ -2,7 +2,7 @@
 
 use crate::rig::{FRONT, World, body, draws, eye, millis, perception, scene};
 use zhuyi_core::{CameraId, Frame, FrameRates, SimTime};
-use zhuyi_perception::{Eye, Eyes, Perception};
+use zhuyi_perception::{Errors, Eye, Eyes, Perception};
 
 /// A rig of two cameras, the first with a latency of 20 ms.
 fn rig() -> Perception {
@@ -11,7 +11,10 @@ fn rig() -> Perception {
         ..eye(0.0, 120.0)
     };
     Perception {
-        noise_along: 0.1,
+        errors: Errors {
+            noise_along: 0.1,
+            ..Errors::default()
+        },
         ..perception(vec![quick, eye(0.0, 60.0)])
     }
 }
@@ -30,13 +33,22 @@ fn seen(params: &Perception, hz: [f64; 2]) -> (Vec<Frame>, Eyes) {
 
 fn jittered(latency_jitter: f64) -> Perception {
     Perception {
-        latency_jitter,
+        errors: Errors {
+            latency_jitter,
+            ..rig().errors
+        },
         ..rig()
     }
 }
 
 fn losing(drop_rate: f64) -> Perception {
-    Perception { drop_rate, ..rig() }
+    Perception {
+        errors: Errors {
+            drop_rate,
+            ..rig().errors
+        },
+        ..rig()
+    }
 }
 
 fn exposures(frames: &[Frame], camera: CameraId) -> Vec<SimTime> {
@@ -152,7 +164,10 @@ fn hand_a_lost_frame_puts_confirmation_off_by_a_frame_and_a_miss_begins_it_anew(
     assert_eq!(processed, 5);
     assert!(exposed > 5, "of the frames at this seed none is lost");
     let missing = Perception {
-        miss_rate: 0.3,
+        errors: Errors {
+            miss_rate: 0.3,
+            ..rig().errors
+        },
         ..rig()
     };
     let (processed, _) = confirmed(&missing);
@@ -167,7 +182,7 @@ fn hand_where_others_know_the_latency_only_jitter_is_left_of_it() {
     let start = scene(vec![body(30.0, 0.0, 0.0)]);
     let rates = FrameRates::new(vec![10.0, 10.0]);
     let ready = |params: &Perception| -> Vec<i64> {
-        let mut eyes = Eyes::new(params, &rates, draws(1), &start).without_latency();
+        let mut eyes = Eyes::new(params, &rates, draws(1), start.actors.len()).without_latency();
         eyes.expose(millis(1000), &mut &start);
         let late = |frame: Frame| (frame.ready - frame.exposed).nanos();
         eyes.take_exposed().map(late).collect()

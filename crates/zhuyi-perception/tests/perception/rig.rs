@@ -2,11 +2,12 @@
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
+use zhuyi_core::stages::{Tracker, Truth};
 use zhuyi_core::{
-    ActorId, Body, Camera, CameraId, Footprint, FrameRates, Frenet, Point, Pose, Road, Scene,
-    SimTime,
+    ActorId, Body, Camera, CameraId, Footprint, Frame, FrameRates, Frenet, Pose, Road, Scene,
+    SimTime, Track,
 };
-use zhuyi_perception::{Eye, Eyes, Perception, Purpose, Tracker, Truth};
+use zhuyi_perception::{Errors, Eye, Eyes, KalmanTracker, OwnErrors, Perception, Purpose};
 
 pub const CAR: Footprint = Footprint {
     length: 4.0,
@@ -37,6 +38,7 @@ pub fn eye(yaw_degrees: f64, fov_degrees: f64) -> Eye {
         latency: None,
         confirm_frames: 5,
         phase: None,
+        own: OwnErrors::default(),
     }
 }
 
@@ -46,13 +48,7 @@ pub fn perception(eyes: Vec<Eye>) -> Perception {
         eyes,
         phase_shift: 0.0,
         visible_share: 0.5,
-        noise_along: 0.0,
-        noise_across: 0.0,
-        noise_speed: 0.0,
-        noise_heading: 0.0,
-        miss_rate: 0.0,
-        latency_jitter: 0.0,
-        drop_rate: 0.0,
+        errors: Errors::default(),
         lost_frames: 5,
         jerk_density_along: 1.0,
         jerk_density_across: 1.0,
@@ -104,18 +100,20 @@ pub struct World {
     pub start: Scene,
     pub road: Road,
     pub eyes: Eyes,
-    pub tracker: Tracker,
+    pub tracker: OnOpenRoad,
     now: SimTime,
 }
 
 impl World {
     pub fn new(params: &Perception, hz: &[f64], seed: u64, start: Scene) -> Self {
-        let mut eyes = Eyes::new(params, &FrameRates::new(hz.to_vec()), draws(seed), &start);
-        let mut tracker = Tracker::new(params, start.actors.len());
-        tracker.start_confirmed(&eyes.glance(&start));
+        let rates = FrameRates::new(hz.to_vec());
+        let mut eyes = Eyes::new(params, &rates, draws(seed), start.actors.len());
+        let mut tracker = KalmanTracker::new(params, start.actors.len());
         let Ok(road) = Road::straight(10_000.0, 3, 3.5) else {
             unreachable!("a straight road of 10 km")
         };
+        tracker.start(&eyes.glance(&&start, start.time), &road);
+        let tracker = OnOpenRoad(tracker);
         Self {
             start,
             road,
@@ -131,7 +129,7 @@ impl World {
         &mut self,
         to: SimTime,
         mut changed: impl FnMut(&mut Scene),
-        mut processed: impl FnMut(&zhuyi_core::Frame, &mut Tracker),
+        mut processed: impl FnMut(&Frame, &mut OnOpenRoad),
     ) {
         while self.now < to {
             self.now += millis(10);
@@ -157,6 +155,24 @@ impl World {
     }
 }
 
+/// A tracker on a road without laps, where it does not matter where the ego is.
+pub struct OnOpenRoad(KalmanTracker);
+
+impl OnOpenRoad {
+    pub fn tracks(&mut self, now: SimTime) -> Vec<Track> {
+        let Ok(road) = Road::straight(10_000.0, 3, 3.5) else {
+            unreachable!("a straight road of 10 km")
+        };
+        let mut tracks = Vec::new();
+        self.0.tracks(now, &body(0.0, 0.0, 0.0), &road, &mut tracks);
+        tracks
+    }
+
+    pub fn update(&mut self, frame: &Frame, road: &Road) {
+        self.0.update(frame, road);
+    }
+}
+
 /// A scene that is made anew for each instant.
 pub struct Scenes<F> {
     pub scene: Scene,
@@ -172,8 +188,8 @@ impl<F: FnMut(SimTime, &mut Scene)> Truth for Scenes<F> {
         (&self.scene).ego()
     }
 
-    fn roughly(&self, actor: usize) -> (Footprint, Point, f64) {
-        (&self.scene).roughly(actor)
+    fn ends(&self) -> (&[Body], &[Body]) {
+        (&self.scene.actors, &self.scene.actors)
     }
 
     fn body(&self, actor: usize) -> Body {

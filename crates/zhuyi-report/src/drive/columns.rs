@@ -275,8 +275,8 @@ fn camera(drive: &Drive<'_>, estimates: &Estimates, place: usize) -> Camera {
     let camera = &drive.system.perception.eyes[place].camera;
     let rows = || 0..drive.run.trace.len();
     let demands = || estimates.demands.iter().map(|cameras| &cameras[place]);
-    let online = (!drive.asked.is_empty()).then(|| {
-        let mut asked = drive.asked.iter().peekable();
+    let online = (!drive.run.decisions.is_empty()).then(|| {
+        let mut asked = drive.run.decisions.iter().peekable();
         let mut held = None;
         Steps::new(drive.run.trace.rows().map(|row| {
             while let Some(decision) = asked.next_if(|asked| asked.time <= row.time) {

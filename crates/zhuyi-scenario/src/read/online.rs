@@ -8,14 +8,14 @@ use crate::fields::Fields;
 use crate::limits::within;
 use crate::model::Online;
 use zhuyi_core::SimTime;
-use zhuyi_prediction::{Manoeuvres, Predictor};
+use zhuyi_prediction::{KinematicPredictor, Manoeuvres};
 use zhuyi_scheduler::safety::Response;
 
 /// What is taken where the file says nothing: others go on, brake by 6 m/s2 in two of a hundred cases, and change to
 /// either side in four of a thousand, which the percentile 99 forgives; l_0 of a system that starts from nothing
 /// (reading R22). Alarms are recorded and change nothing.
 const USUAL: Online = Online {
-    predictor: Predictor::Manoeuvres(Manoeuvres {
+    predictor: KinematicPredictor::Manoeuvres(Manoeuvres {
         threshold: 0.3,
         braking: 0.02,
         decel: 6.0,

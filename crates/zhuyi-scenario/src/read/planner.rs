@@ -6,7 +6,7 @@ use crate::fields::Fields;
 use crate::limits::{above, within};
 use crate::node::Node;
 use zhuyi_planner::PlannerParams;
-use zhuyi_prediction::{Manoeuvres, Predictor};
+use zhuyi_prediction::{KinematicPredictor, Manoeuvres};
 use zhuyi_world::Vehicle;
 
 /// The planner of a vehicle.
@@ -66,21 +66,23 @@ fn check_order(fields: &Fields, name: &'static str, got: f64, bound: &'static st
 }
 
 /// The predictor.
-pub(super) fn prediction(node: &Node) -> Option<Predictor> {
+pub(super) fn prediction(node: &Node) -> Option<KinematicPredictor> {
     node.variant(
         "prediction",
         &[
-            ("ConstantVelocity", &|_| Some(Predictor::ConstantVelocity)),
+            ("ConstantVelocity", &|_| {
+                Some(KinematicPredictor::ConstantVelocity)
+            }),
             ("ConstantAcceleration", &|_| {
-                Some(Predictor::ConstantAcceleration)
+                Some(KinematicPredictor::ConstantAcceleration)
             }),
             ("LaneChange", &|fields| {
-                read_all!(Predictor::LaneChange {
+                read_all!(KinematicPredictor::LaneChange {
                     threshold: fields.number("threshold_mps", above(0.0, 10.0))
                 })
             }),
             ("Manoeuvres", &|fields| {
-                Some(Predictor::Manoeuvres(read_all!(Manoeuvres {
+                Some(KinematicPredictor::Manoeuvres(read_all!(Manoeuvres {
                     threshold: fields.number("threshold_mps", above(0.0, 10.0)),
                     braking: fields.number("braking", within(0.0, 0.3)),
                     decel: fields.number("decel_mps2", ACCEL),

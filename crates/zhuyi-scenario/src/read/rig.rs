@@ -6,7 +6,7 @@ use crate::fields::Fields;
 use crate::limits::{Limits, above, within};
 use crate::node::Node;
 use zhuyi_core::Camera;
-use zhuyi_perception::{Eye, Perception};
+use zhuyi_perception::{Errors, Eye, OwnErrors, Perception};
 use zhuyi_world::Vehicle;
 
 /// [-] shares.
@@ -33,21 +33,53 @@ pub(super) fn perception(node: &Node, vehicle: Option<&Vehicle>) -> Option<Rig> 
         let perception = read_all!(Perception {
             eyes,
             phase_shift: fields.number_or("phase_shift", SHARE, 0.0),
-            visible_share: fields.number("visible_share", within(0.0, 1.0)),
-            noise_along: fields.number("noise_along_m", within(0.0, 10.0)),
-            noise_across: fields.number("noise_across_m", within(0.0, 10.0)),
-            noise_speed: fields.number("noise_speed_mps", within(0.0, 10.0)),
-            noise_heading: fields.number_or("noise_heading_rad", within(0.0, 1.0), 0.01),
-            miss_rate: fields.number("miss_rate", within(0.0, 1.0)),
-            latency_jitter: fields
-                .number_or("latency_jitter_ms", within(0.0, 10_000.0), 0.0)
-                .map(|milliseconds| milliseconds / 1e3),
-            drop_rate: fields.number_or("drop_rate", within(0.0, 1.0), 0.0),
+            visible_share: fields.number("visible_share", SHARE),
+            errors: errors(fields),
             lost_frames: fields.whole("lost_frames", COUNT),
             jerk_density_along: fields.number("jerk_density_along_m2ps5", above(0.0, 10_000.0)),
             jerk_density_across: fields.number("jerk_density_across_m2ps5", above(0.0, 10_000.0)),
         });
         read_all!(Rig { perception, rates })
+    })
+}
+
+/// [m], [m/s] standard deviations of measured places and speeds.
+const NOISE: Limits = within(0.0, 10.0);
+/// [rad] standard deviations of measured headings.
+const NOISE_HEADING: Limits = within(0.0, 1.0);
+/// [ms] jitter of the latency.
+const JITTER: Limits = within(0.0, 10_000.0);
+
+/// The errors of every camera that has none of its own.
+fn errors(fields: &Fields) -> Option<Errors> {
+    read_all!(Errors {
+        noise_along: fields.number("noise_along_m", NOISE),
+        noise_across: fields.number("noise_across_m", NOISE),
+        noise_speed: fields.number("noise_speed_mps", NOISE),
+        noise_heading: fields.number_or("noise_heading_rad", NOISE_HEADING, 0.01),
+        miss_rate: fields.number("miss_rate", SHARE),
+        latency_jitter: fields
+            .number_or("latency_jitter_ms", JITTER, 0.0)
+            .map(|milliseconds| milliseconds / 1e3),
+        drop_rate: fields.number_or("drop_rate", SHARE, 0.0),
+    })
+}
+
+/// The errors of one camera, under the same names.
+fn own_errors(fields: &Fields) -> Option<OwnErrors> {
+    let own = |name: &'static str, limits: Limits| {
+        let node = fields.optional(name);
+        node.map_or(Some(None), |node| node.number(limits).map(Some))
+    };
+    read_all!(OwnErrors {
+        noise_along: own("noise_along_m", NOISE),
+        noise_across: own("noise_across_m", NOISE),
+        noise_speed: own("noise_speed_mps", NOISE),
+        noise_heading: own("noise_heading_rad", NOISE_HEADING),
+        miss_rate: own("miss_rate", SHARE),
+        latency_jitter: own("latency_jitter_ms", JITTER)
+            .map(|jitter| jitter.map(|milliseconds| milliseconds / 1e3)),
+        drop_rate: own("drop_rate", SHARE),
     })
 }
 
@@ -76,7 +108,8 @@ fn cameras(
                 camera,
                 latency,
                 confirm_frames: own_frames,
-                phase: Some(own_phase)
+                phase: Some(own_phase),
+                own: own_errors(fields),
             });
             eye.zip(rate)
         })

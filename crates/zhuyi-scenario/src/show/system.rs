@@ -6,7 +6,7 @@ use Value::{List, Number, Struct, Text, Truth, Variant, Whole};
 use zhuyi_estimator::{Aggregation, Criterion, Evasion, Grid, Solver, Uncertainty};
 use zhuyi_perception::Eye;
 use zhuyi_planner::PlannerParams;
-use zhuyi_prediction::Predictor;
+use zhuyi_prediction::KinematicPredictor;
 use zhuyi_scheduler::safety::Response;
 use zhuyi_scheduler::{Chip, Compute};
 use zhuyi_world::Vehicle;
@@ -52,7 +52,7 @@ fn vehicle(vehicle: &Vehicle) -> Value {
 }
 
 fn perception(system: &System) -> Value {
-    let perception = &system.perception;
+    let (perception, errors) = (&system.perception, &system.perception.errors);
     let cameras = perception
         .eyes
         .iter()
@@ -66,13 +66,13 @@ fn perception(system: &System) -> Value {
     let shared = [
         ("phase_shift", Number(perception.phase_shift)),
         ("visible_share", Number(perception.visible_share)),
-        ("noise_along_m", Number(perception.noise_along)),
-        ("noise_across_m", Number(perception.noise_across)),
-        ("noise_speed_mps", Number(perception.noise_speed)),
-        ("noise_heading_rad", Number(perception.noise_heading)),
-        ("miss_rate", Number(perception.miss_rate)),
-        ("latency_jitter_ms", milliseconds(perception.latency_jitter)),
-        ("drop_rate", Number(perception.drop_rate)),
+        ("noise_along_m", Number(errors.noise_along)),
+        ("noise_across_m", Number(errors.noise_across)),
+        ("noise_speed_mps", Number(errors.noise_speed)),
+        ("noise_heading_rad", Number(errors.noise_heading)),
+        ("miss_rate", Number(errors.miss_rate)),
+        ("latency_jitter_ms", milliseconds(errors.latency_jitter)),
+        ("drop_rate", Number(errors.drop_rate)),
         ("lost_frames", Whole(perception.lost_frames)),
         (
             "jerk_density_along_m2ps5",
@@ -98,6 +98,7 @@ fn camera(
         latency,
         confirm_frames,
         phase,
+        own,
     }: &Eye,
     rate: f64,
 ) -> Value {
@@ -115,6 +116,19 @@ fn camera(
     ];
     // There is no word for a phase that is drawn.
     fields.extend(phase.map(|share| ("phase_share", Number(share))));
+    let own = [
+        ("noise_along_m", own.noise_along.map(Number)),
+        ("noise_across_m", own.noise_across.map(Number)),
+        ("noise_speed_mps", own.noise_speed.map(Number)),
+        ("noise_heading_rad", own.noise_heading.map(Number)),
+        ("miss_rate", own.miss_rate.map(Number)),
+        ("latency_jitter_ms", own.latency_jitter.map(milliseconds)),
+        ("drop_rate", own.drop_rate.map(Number)),
+    ];
+    fields.extend(
+        own.into_iter()
+            .filter_map(|(name, value)| Some((name, value?))),
+    );
     Struct(fields)
 }
 
@@ -130,14 +144,14 @@ fn milliseconds(seconds: f64) -> Value {
     number_for(seconds, seconds * 1e3, |ms| ms / 1e3)
 }
 
-fn prediction(predictor: Predictor) -> Value {
+fn prediction(predictor: KinematicPredictor) -> Value {
     match predictor {
-        Predictor::ConstantVelocity => Variant("ConstantVelocity", Vec::new()),
-        Predictor::ConstantAcceleration => Variant("ConstantAcceleration", Vec::new()),
-        Predictor::LaneChange { threshold } => {
+        KinematicPredictor::ConstantVelocity => Variant("ConstantVelocity", Vec::new()),
+        KinematicPredictor::ConstantAcceleration => Variant("ConstantAcceleration", Vec::new()),
+        KinematicPredictor::LaneChange { threshold } => {
             Variant("LaneChange", vec![("threshold_mps", Number(threshold))])
         }
-        Predictor::Manoeuvres(manoeuvres) => Variant(
+        KinematicPredictor::Manoeuvres(manoeuvres) => Variant(
             "Manoeuvres",
             vec![
                 ("threshold_mps", Number(manoeuvres.threshold)),

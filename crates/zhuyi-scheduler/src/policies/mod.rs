@@ -32,6 +32,8 @@ pub use rss::Rss;
 pub use ttc::Ttc;
 pub use uniform::Uniform;
 
+use std::sync::Arc;
+
 use crate::Policy;
 
 /// The names that [`policy`] knows, each with a line for help texts. Words in capitals stand for what the user writes.
@@ -112,6 +114,21 @@ pub enum UnknownPolicy {
         /// Which.
         camera: String,
     },
+}
+
+/// Function that makes a policy for one run.
+pub type MakePolicy = Arc<dyn Fn() -> Box<dyn Policy> + Send + Sync>;
+
+/// Returns what makes the policy of this name, one for each run.
+///
+/// # Errors
+/// As [`policy`].
+pub fn policy_maker(name: &str) -> Result<MakePolicy, UnknownPolicy> {
+    policy(name)?;
+    let name = name.to_string();
+    Ok(Arc::new(move || {
+        policy(&name).unwrap_or_else(|unknown| unreachable!("made before: {unknown}"))
+    }))
 }
 
 /// The policy of this name, for one run.

@@ -1,12 +1,13 @@
 //! When each stage of a collision was reached, from the trace and what the run knew. The stages are told in the parent module.
 
+use zhuyi_core::stages::Planner;
 use zhuyi_core::{ActorId, Manoeuvre, SimTime, Track};
 use zhuyi_perception::View;
-use zhuyi_planner::Planner;
+use zhuyi_planner::RuleBasedPlanner;
 use zhuyi_scenario::{Scenario, System};
 
 use super::{BRAKE_ON, Cause};
-use crate::simulation::STEP;
+use crate::trace::STEP;
 use crate::trace::{Row, Trace};
 use crate::witness::{Taken, Witness};
 
@@ -168,7 +169,8 @@ impl Chain<'_> {
     /// The row from which on the planner, told of it exactly and at once, would brake hard or evade up to the end.
     fn danger(&self) -> Option<usize> {
         let Scenario { road, ego, .. } = self.scenario;
-        let mut planner = Planner::new(&self.system.planner, road.clone(), ego.lane, ego.speed);
+        let mut planner =
+            RuleBasedPlanner::new(&self.system.planner, road.clone(), ego.lane, ego.speed);
         let hard: Vec<bool> = self
             .trace
             .rows()

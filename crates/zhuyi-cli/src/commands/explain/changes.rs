@@ -104,8 +104,8 @@ fn pull(lever: &Lever<'_>) -> Change {
         tried += 1;
         // What a file's rules refuse, or a policy fails at, saves nothing.
         let driven = (lever.typed)(value).meant();
-        let driven = driven.and_then(|mut run| run.drive(false));
-        driven.is_ok_and(|(run, _)| !run.collided())
+        let driven = driven.and_then(|run| run.drive(false));
+        driven.is_ok_and(|run| !run.collided())
     };
     let to = lever.values.iter().copied().find(|value| saves(*value));
     Change {

@@ -75,7 +75,7 @@ pub struct Reached {
 
 impl Explanation {
     /// Of a drive that has kept what it knew; drives again to find what would have saved it.
-    pub fn of(asked: &Run, run: &zhuyi_sim::Run) -> Self {
+    pub fn of(asked: &Run, run: &zhuyi_sim::RunRecord) -> Self {
         let extremes = run.extremes(&asked.scenario.road);
         let waterfall = zhuyi_sim::Waterfall::of(&asked.scenario, &asked.system, run);
         let collision = collision(&asked.scenario, run);

@@ -74,8 +74,8 @@ fn driven(row: &Row) -> Result<(Document, Option<String>), String> {
         return Err("no replay: its command would start a program".to_string());
     }
     let failed = |error: crate::error::Error| format!("no replay: {error}");
-    let mut run = typed.alone().meant().map_err(failed)?;
-    let (made, asked) = run.drive(true).map_err(failed)?;
+    let run = typed.alone().meant().map_err(failed)?;
+    let made = run.drive(true).map_err(failed)?;
     let same = match (&made.outcome, &row.collision) {
         (Outcome::Completed, None) => true,
         (Outcome::Collision(now), Some(then)) => {
@@ -87,8 +87,8 @@ fn driven(row: &Row) -> Result<(Document, Option<String>), String> {
         "driven again it ends otherwise than the table tells: another version, or other files"
             .to_string()
     });
-    let summary = Summary::new(&run, &made, &asked);
-    run.document(&summary, &made, &asked, row.replay.clone())
+    let summary = Summary::new(&run, &made);
+    run.document(&summary, &made, row.replay.clone())
         .map(|document| (document, note))
         .ok_or_else(|| "no replay".to_string())
 }

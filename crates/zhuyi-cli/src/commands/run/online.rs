@@ -5,10 +5,10 @@ use std::fmt::Write;
 use zhuyi_core::{ActorId, FrameRates};
 use zhuyi_estimator::Estimator;
 use zhuyi_scenario::{Scenario, System};
-use zhuyi_sim::{Asked, Hindsight};
+use zhuyi_sim::Hindsight;
 
 /// One row per decision and camera.
-pub fn csv(scenario: &Scenario, system: &System, run: &zhuyi_sim::Run, asked: &[Asked]) -> String {
+pub fn csv(scenario: &Scenario, system: &System, run: &zhuyi_sim::RunRecord) -> String {
     // With the same l_0, so that what differs is what is known and expected.
     let mut same = system.clone();
     same.current_latency = system.online.current_latency;
@@ -21,7 +21,7 @@ pub fn csv(scenario: &Scenario, system: &System, run: &zhuyi_sim::Run, asked: &[
         .to_string();
     let mut rows = run.trace.rows();
     let mut hindsight: Option<(&[f64], Hindsight<'_>)> = None;
-    for asked in asked {
+    for asked in &run.decisions {
         let Some(row) = rows.find(|row| row.time == asked.time) else {
             break;
         };

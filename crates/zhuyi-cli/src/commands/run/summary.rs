@@ -211,7 +211,7 @@ pub struct Camera {
 
 impl Summary {
     /// The summary of a drive.
-    pub fn new(meant: &Run, run: &zhuyi_sim::Run, asked: &[Asked]) -> Self {
+    pub fn new(meant: &Run, run: &zhuyi_sim::RunRecord) -> Self {
         let Run {
             scenario,
             system,
@@ -257,7 +257,7 @@ impl Summary {
                 alongside: peaks.alongside,
                 standing: peaks.standing,
             },
-            alarms: alarms(asked),
+            alarms: alarms(&run.decisions),
             bytes_avoided: cameras
                 .iter()
                 .map(|camera| camera.transfers_avoided)
@@ -285,7 +285,7 @@ impl Summary {
     }
 }
 
-fn cameras(asked: &Run, run: &zhuyi_sim::Run, peaks: &Peaks, end: f64) -> Vec<Camera> {
+fn cameras(asked: &Run, run: &zhuyi_sim::RunRecord, peaks: &Peaks, end: f64) -> Vec<Camera> {
     let eyes = asked.system.perception.eyes.iter().enumerate();
     let camera = |(place, eye): (usize, &Eye)| {
         let (frames, peak) = (run.frames[place], &peaks.cameras[place]);
@@ -310,7 +310,7 @@ fn cameras(asked: &Run, run: &zhuyi_sim::Run, peaks: &Peaks, end: f64) -> Vec<Ca
     eyes.map(camera).collect()
 }
 
-fn scripted(scenario: &Scenario, run: &zhuyi_sim::Run) -> Vec<Scripted> {
+fn scripted(scenario: &Scenario, run: &zhuyi_sim::RunRecord) -> Vec<Scripted> {
     let of = scenario.actors.iter().zip(&run.manoeuvres);
     let all = of.flat_map(|(actor, progress)| {
         let numbered = (1..).zip(&actor.manoeuvres).zip(progress);
@@ -326,7 +326,7 @@ fn scripted(scenario: &Scenario, run: &zhuyi_sim::Run) -> Vec<Scripted> {
     all.collect()
 }
 
-fn noted(scenario: &Scenario, run: &zhuyi_sim::Run) -> Vec<Note> {
+fn noted(scenario: &Scenario, run: &zhuyi_sim::RunRecord) -> Vec<Note> {
     let notes = zhuyi_sim::notes(&run.trace, &scenario.road).into_iter();
     let told = notes.map(|note| Note {
         kind: note.subject.kind(),
@@ -364,7 +364,7 @@ fn share(frames: u64, seconds: f64) -> f64 {
 }
 
 /// The first contact of a drive.
-pub fn collision(scenario: &Scenario, run: &zhuyi_sim::Run) -> Option<Collision> {
+pub fn collision(scenario: &Scenario, run: &zhuyi_sim::RunRecord) -> Option<Collision> {
     let Outcome::Collision(collision) = &run.outcome else {
         return None;
     };

@@ -2,7 +2,6 @@
 
 use zhuyi_report::drive::document::Document;
 use zhuyi_report::{Drive, page};
-use zhuyi_sim::Asked;
 
 use super::Run;
 use super::summary::Summary;
@@ -14,7 +13,7 @@ const WIDTH: usize = 78;
 
 impl Run {
     /// The demands over time, and the drive from above at its contact, or else at the highest demand.
-    pub(super) fn drawings(&self, summary: &Summary, run: &zhuyi_sim::Run) -> String {
+    pub(super) fn drawings(&self, summary: &Summary, run: &zhuyi_sim::RunRecord) -> String {
         let (trace, mut text) = (&run.trace, String::new());
         // Under a policy the rates, and with them l_0, are not those that the drive began with.
         if self.typed.policy.is_none() {
@@ -40,25 +39,19 @@ impl Run {
     }
 
     /// The report of the drive; none where it kept no record of what it knew.
-    pub(super) fn page(
-        &self,
-        summary: &Summary,
-        run: &zhuyi_sim::Run,
-        asked: &[Asked],
-    ) -> Option<String> {
+    pub(super) fn page(&self, summary: &Summary, run: &zhuyi_sim::RunRecord) -> Option<String> {
         let file = self.typed.report.as_ref()?.display().to_string();
         let words = self.typed.words(None).into_iter();
         let command = shell::line(words.chain(["--report", &file]));
         let title = format!("{}, seed {}: zhuyi", summary.scenario, summary.seed);
-        Some(page(&title, &self.document(summary, run, asked, command)?))
+        Some(page(&title, &self.document(summary, run, command)?))
     }
 
     /// The data of a report that `command` makes; none where the drive kept no record of what it knew.
     pub fn document(
         &self,
         summary: &Summary,
-        run: &zhuyi_sim::Run,
-        asked: &[Asked],
+        run: &zhuyi_sim::RunRecord,
         command: String,
     ) -> Option<Document> {
         let witness = run.witness.as_ref()?;
@@ -68,7 +61,6 @@ impl Run {
             system: &self.system,
             run,
             witness,
-            asked,
             by_policy: self.typed.policy.is_some(),
             version: summary.version,
             command,

@@ -1,0 +1,44 @@
+//! Observer: whatever watches a run, step by step, and changes nothing.
+
+use crate::{Body, Command, Forecast, Scene, SimTime, Track};
+
+/// Watches a run.
+///
+/// An observer that counts the steps in which the ego knows nobody:
+/// ```
+/// use zhuyi_core::stages::{Observation, Observer};
+/// use zhuyi_core::{Command, Scene};
+///
+/// #[derive(Default)]
+/// struct Alone(u32);
+/// impl Observer for Alone {
+///     fn step(&mut self, _: &Scene, observation: &Observation<'_>, _: Command) {
+///         self.0 += u32::from(observation.tracks.is_empty());
+///     }
+/// }
+/// ```
+pub trait Observer: Send {
+    /// Called once per step, when its command is decided and before the world moves. `truth` is the true scene, `observation` what
+    /// the ego knows of it.
+    fn step(&mut self, truth: &Scene, observation: &Observation<'_>, command: Command);
+}
+
+/// What the ego knows at one instant, and what it may still spend.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Observation<'a> {
+    /// Time of the run.
+    pub time: SimTime,
+    /// The ego, by its own localisation.
+    pub ego: &'a Body,
+    /// The confirmed actors, extrapolated to now, in the order of their ids.
+    pub tracks: &'a [Track],
+    /// Their forecasts, in the same order: those that the planner is given.
+    pub forecasts: &'a [Forecast],
+    /// [Hz] demand of every camera by the paper's model at the last decision, in the order of the rig; empty before the first
+    /// decision and where none is estimated.
+    pub demands: &'a [f64],
+    /// [Hz] present frame rate of every camera, in the order of the rig.
+    pub rates: &'a [f64],
+    /// [Hz] what of the budget the present rates leave; none without a budget.
+    pub budget_left: Option<f64>,
+}

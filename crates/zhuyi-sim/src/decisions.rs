@@ -1,0 +1,285 @@
+//! The second loop, where rates change while driving: demands ─▶ policy ─▶ rates of the cameras; and the check on them.
+//!
+//! ```text
+//!  every period:  beliefs ──▶ [online] ──Asked──▶ [policy under a budget] ──rates──▶ cameras (reading R15)
+//!                                          │                                  │
+//!                                          └────────▶ [safety check] ◀────────┘
+//!                                                          └─ alarm ─▶ response: brake, limit functions, raise rates
+//!  every step:    the first loop, as without it
+//! ```
+//!
+//! An alarm is raised by a camera whose rate, as the policy has just set it, is below its demand (the paper, section on a
+//! Zhuyi-based system, "Safety check"). The response goes on for `hold` after the last alarm, so that what it mends does
+//! not end it at once.
+
+use std::sync::Arc;
+
+use zhuyi_core::{Body, FrameRates, Road, SimTime, Track};
+use zhuyi_estimator::Estimator;
+use zhuyi_scenario::System;
+use zhuyi_scheduler::safety::{Measures, falls_short};
+use zhuyi_scheduler::{CameraState, Demands, Discipline, LooksAt, Policy, PolicyError, Situation};
+
+use crate::offline::Hindsight;
+use crate::online::{Asked, Online};
+use crate::spec::{Rates, RunSpec};
+use crate::trace::{STEP, Trace};
+
+/// Decides the rates of a run, once every period.
+pub(crate) struct Decider {
+    online: Online,
+    policy: Option<Box<dyn Policy>>,
+    /// [Hz] frames per second over all cameras, where they are limited.
+    budget: Option<f64>,
+    /// [Hz] of every decision and camera, where the future is known.
+    future: Arc<Vec<Vec<f64>>>,
+    due: SimTime,
+    /// The decision that is due, estimated and not concluded.
+    open: Option<Asked>,
+    decisions: Vec<Asked>,
+    /// [Hz] the demands of the last estimate.
+    demands: Vec<f64>,
+    /// When the last alarm was raised.
+    alarm: Option<SimTime>,
+    measures: Measures,
+}
+
+/// What the ego knows when a decision is made.
+#[derive(Clone, Copy)]
+pub(crate) struct Known<'a> {
+    pub spec: &'a RunSpec,
+    pub time: SimTime,
+    pub ego: &'a Body,
+    pub tracks: &'a [Track],
+}
+
+impl Decider {
+    /// Creates the decider of a run; none where rates stay and nothing is estimated.
+    pub fn new(spec: &RunSpec) -> Option<Self> {
+        let (policy, budget, future) = match &spec.rates {
+            Rates::Fixed {
+                estimated: false, ..
+            } => return None,
+            Rates::Fixed { .. } => (None, None, Arc::default()),
+            Rates::Policy {
+                policy,
+                budget,
+                future,
+            } => (Some(policy()), Some(*budget), future.clone()),
+            Rates::Caller { budget } => (None, Some(*budget), Arc::default()),
+        };
+        let looks_at = policy
+            .as_ref()
+            .map_or(LooksAt::PAPER, |policy| policy.looks_at());
+        let online = Online::new(spec.system.clone(), spec.scenario.road.clone());
+        Some(Self {
+            online: online.looked_at(looks_at),
+            policy,
+            budget,
+            future,
+            due: SimTime::ZERO,
+            open: None,
+            decisions: Vec::new(),
+            demands: Vec::new(),
+            alarm: None,
+            measures: Measures::default(),
+        })
+    }
+
+    /// Returns the order in which frames queue for an accelerator under the policy, if there is one.
+    pub fn discipline(&self) -> Option<Discipline> {
+        let policy = self.policy.as_ref()?;
+        Some(Discipline::for_policy(policy.name()))
+    }
+
+    /// Returns the budget [Hz], if there is one.
+    pub fn budget(&self) -> Option<f64> {
+        self.budget
+    }
+
+    /// Returns the demands [Hz] of the last estimate.
+    pub fn demands(&self) -> &[f64] {
+        &self.demands
+    }
+
+    /// Returns whether a backup system brakes.
+    pub fn brakes(&self) -> bool {
+        self.measures.brake
+    }
+
+    /// Returns whether a decision is due at `now`.
+    pub fn is_due(&self, now: SimTime) -> bool {
+        self.open.is_some() || now >= self.due
+    }
+
+    /// Returns whether a decision is estimated and not concluded.
+    pub fn is_open(&self) -> bool {
+        self.open.is_some()
+    }
+
+    /// Makes the estimate of the decision that is due.
+    pub fn estimate(
+        &mut self,
+        known: &Known<'_>,
+        rates: &[f64],
+        processed: impl Iterator<Item = u64>,
+    ) {
+        self.due += known.spec.system.online.period;
+        let asked = self.online.ask(
+            known.time,
+            known.ego,
+            known.tracks,
+            rates.to_vec(),
+            &processed.collect::<Vec<_>>(),
+        );
+        self.demands.clear();
+        self.demands.extend(asked.demands.iter().map(|d| d.fpr));
+        self.measures = self.measures_at(known.time, &known.spec.system);
+        self.open = Some(asked);
+    }
+
+    /// Checks rates that a caller sets.
+    pub fn check_rates(&self, known: &Known<'_>, rates: &[f64]) -> Result<(), PolicyError> {
+        let budget = self.budget.unwrap_or(f64::INFINITY) + self.measures.extra_budget;
+        check_rates(known, rates, budget)
+    }
+
+    /// Checks rates that a caller sets where there is no budget.
+    pub fn check_unlimited(known: &Known<'_>, rates: &[f64]) -> Result<(), PolicyError> {
+        check_rates(known, rates, f64::INFINITY)
+    }
+
+    /// Takes the rates [Hz] of a caller for the open decision.
+    pub fn grant(&mut self, rates: &[f64]) {
+        if let Some(asked) = &mut self.open {
+            asked.granted.clear();
+            asked.granted.extend_from_slice(rates);
+        }
+    }
+
+    /// Lets the policy set the rates of the open decision, if there is a policy.
+    pub fn decide(&mut self, known: &Known<'_>) -> Result<(), PolicyError> {
+        let (Some(policy), Some(budget)) = (&mut self.policy, self.budget) else {
+            return Ok(());
+        };
+        let Some(asked) = &mut self.open else {
+            return Ok(());
+        };
+        let offline = self.future.get(self.decisions.len()).or(self.future.last());
+        let eyes = known.spec.system.perception.eyes.iter().enumerate();
+        let cameras: Vec<CameraState<'_>> = eyes
+            .map(|(place, eye)| CameraState {
+                name: &eye.camera.name,
+                rate: asked.rates[place],
+                demands: Demands {
+                    offline: offline.map(|demands| demands[place]),
+                    ..asked.by_model[place]
+                },
+                importance: asked.importance[place],
+            })
+            .collect();
+        let situation = Situation {
+            time: asked.time.seconds(),
+            budget: budget + self.measures.extra_budget,
+            ego_speed: known.ego.speed,
+            cameras: &cameras,
+        };
+        situation.decided_by(&mut **policy, &mut asked.granted)
+    }
+
+    /// Concludes the open decision: raises the alarms, and the rates where that is the response. Returns it with the measures
+    /// that are in force from now on.
+    ///
+    /// # Panics
+    /// If none is open.
+    pub fn conclude(&mut self, system: &System) -> (&Asked, Measures) {
+        let Some(mut asked) = self.open.take() else {
+            unreachable!("a decision that is concluded has been estimated")
+        };
+        let pairs = asked.granted.iter().zip(&self.demands);
+        asked.alarms.clear();
+        let alarms = pairs.map(|(rate, demand)| falls_short(*rate, *demand));
+        asked.alarms.extend(alarms);
+        if asked.alarms.contains(&true) {
+            self.alarm = Some(asked.time);
+        }
+        if let Some(budget) = self.budget {
+            let response = system.online.response;
+            asked.granted = response.rates(&asked.granted, &self.demands, budget);
+        }
+        self.measures = self.measures_at(asked.time, system);
+        self.decisions.push(asked);
+        let Some(last) = self.decisions.last() else {
+            unreachable!("it has just been added")
+        };
+        (last, self.measures)
+    }
+
+    /// Takes all decisions away.
+    pub fn take(&mut self) -> Vec<Asked> {
+        std::mem::take(&mut self.decisions)
+    }
+
+    /// What the response to alarms up to now changes at `time`.
+    fn measures_at(&self, time: SimTime, system: &System) -> Measures {
+        let online = &system.online;
+        let stands = |raised: SimTime| (time - raised).nanos() as f64 <= online.hold * 1e9;
+        let budget = self.budget.unwrap_or(0.0);
+        online
+            .response
+            .measures(self.alarm.is_some_and(stands), budget)
+    }
+}
+
+/// Checks rates of a caller against the limits of a policy.
+fn check_rates(known: &Known<'_>, rates: &[f64], budget: f64) -> Result<(), PolicyError> {
+    let eyes = known.spec.system.perception.eyes.iter();
+    let cameras: Vec<CameraState<'_>> = eyes
+        .map(|eye| CameraState {
+            name: &eye.camera.name,
+            rate: 0.0,
+            demands: Demands::all(0.0),
+            importance: 0.0,
+        })
+        .collect();
+    if rates.len() != cameras.len() {
+        return Err(PolicyError::Places {
+            cameras: cameras.len(),
+            places: rates.len(),
+        });
+    }
+    let situation = Situation {
+        time: known.time.seconds(),
+        budget,
+        ego_speed: known.ego.speed,
+        cameras: &cameras,
+    };
+    let checked = situation.check_rates(rates, ROUNDING);
+    checked.map_err(|limit| PolicyError::Rates {
+        policy: "the caller".to_string(),
+        limit,
+    })
+}
+
+/// [Hz] what rounding may add to each rate of a caller.
+const ROUNDING: f64 = 1e-9;
+
+/// Returns the demands [Hz] that a finished run of `system` made on every camera with hindsight, at every decision: the future that the
+/// policy `clairvoyant` knows. l_0 is that of the estimate in the loop.
+pub fn known_future(
+    trace: &Trace,
+    road: &Road,
+    system: &System,
+    rates: &FrameRates,
+) -> Vec<Vec<f64>> {
+    let mut same = system.clone();
+    same.current_latency = system.online.current_latency;
+    let hindsight = Hindsight::new(trace, road, &same, rates);
+    let estimator = Estimator::new(system.estimator.clone());
+    let every = (system.online.period.nanos() / STEP.nanos()).max(1) as usize;
+    let rows = trace.rows().step_by(every);
+    let demands = rows.map(|row| hindsight.demands(&estimator, &row));
+    demands
+        .map(|demands| demands.iter().map(|demand| demand.fpr).collect())
+        .collect()
+}
