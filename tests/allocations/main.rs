@@ -45,6 +45,7 @@ fn of_ticks(scenario: &Scenario, system: &System) -> Vec<u64> {
     let mut simulation = Simulation::new(spec(scenario, system));
     let ticks = scenario.duration.nanos() / STEP.nanos();
     let mut tick = || {
+        assert!(simulation.observe().budget.is_none());
         let contact = simulation.step().expect("rates that stay");
         assert!(contact.is_none(), "it collided");
     };
@@ -67,6 +68,57 @@ fn law_no_tick_allocates_but_to_believe_in_one_more_actor() {
             "{name}: more than {LISTS} lists for {actors} actors"
         );
     }
+}
+
+/// How often all steps without a decision allocate after the first second, and how often one with a decision does.
+fn under_policy(name: &str) -> (u64, u64) {
+    let (scenario, system) = read(BENCH.0, BENCH.1, &[]);
+    let spec = spec(&scenario, &system).under_policy(name, 60.0);
+    let mut simulation = Simulation::new(spec.expect("a policy"));
+    let (mut without, mut with) = (0, 0);
+    for tick in 0..scenario.duration.nanos() / STEP.nanos() {
+        let decides = simulation.decision_is_due();
+        let step = || {
+            let contact = simulation.step().expect("an answer");
+            assert!(contact.is_none(), "it collided");
+        };
+        let count = measure(step).count_total;
+        if tick as usize >= FIRST_SECOND {
+            if decides {
+                with = count.max(with);
+            } else {
+                without += count;
+            }
+        }
+    }
+    (without, with)
+}
+
+#[test]
+fn law_under_a_policy_a_decision_allocates_and_other_steps_do_not() {
+    for policy in ["uniform", "demand-first", "phantom", "rss"] {
+        let (without, with) = under_policy(policy);
+        println!("{policy}: {without} allocations in all steps, at most {with} in a decision");
+        // Lists of frames that grow with the rate.
+        assert!(without <= 8, "{policy}: {without}");
+    }
+}
+
+#[test]
+fn law_a_reset_takes_over_the_memory() {
+    let (scenario, system) = read(BENCH.0, BENCH.1, &[]);
+    let mut simulation = None;
+    let new = measure(|| simulation = Some(Simulation::new(spec(&scenario, &system))));
+    let mut simulation = simulation.expect("it has just been made");
+    for _ in 0..500 {
+        simulation.step().expect("rates that stay");
+    }
+    let reset = measure(|| simulation.reset(1));
+    println!(
+        "{} bytes for a new run, {} for a reset",
+        new.bytes_total, reset.bytes_total
+    );
+    assert!(reset.bytes_total < new.bytes_total / 10);
 }
 
 #[test]

@@ -13,6 +13,7 @@ use zhuyi_core::geometry::wrap_angle;
 use zhuyi_core::{Body, Footprint, Frenet, Pose, Road, SimTime};
 use zhuyi_estimator::Estimator;
 use zhuyi_scenario::{Scenario, System};
+use zhuyi_scheduler::{DemandSeries, demands};
 use zhuyi_sim::trace::Row;
 use zhuyi_sim::{Asked, Hindsight, Outcome, RunRecord, RunSpec, STEP};
 
@@ -253,18 +254,14 @@ fn jumps(run: &RunRecord, half_road: f64) -> Result<(), String> {
 fn in_the_loop(asked: &[Asked]) -> Result<usize, String> {
     for asked in asked {
         let demands = asked.demands.iter().map(|demand| demand.fpr);
-        let of_models = asked.by_model.iter().flat_map(|demands| {
-            [
-                demands.zhuyi,
-                demands.phantom,
-                demands.rss,
-                demands.ttc,
-                demands.pylot,
-            ]
-        });
+        let (sums, rates): (Vec<_>, Vec<_>) =
+            (asked.by_model.iter()).partition(|series| series.model == demands::IMPORTANCE);
+        let of = |series: Vec<&DemandSeries>| -> Vec<f64> {
+            series.iter().flat_map(|of| of.of_cameras.clone()).collect()
+        };
         let granted = asked.granted.iter().copied();
-        let mut all = demands.chain(of_models).chain(granted);
-        if !all.all(is_rate) || !asked.importance.iter().all(|one| one.is_finite()) {
+        let mut all = demands.chain(of(rates)).chain(granted);
+        if !all.all(is_rate) || !of(sums).iter().all(|one| one.is_finite()) {
             return Err(format!("{asked:?}"));
         }
     }

@@ -13,6 +13,7 @@
 //! | `rings` | closed roads: a car that stands on one is braked for as on a straight road, laps change nothing |
 //! | `turned` | boxes that stand askew, and gaps along lanes in bends |
 //! | `rogue_policies` | a policy that gives what no camera may have, or more than there is, is an error that names the run |
+//! | `stepwise` | a run observed and acted on from outside is that of the built-in loop; a reset run is a new one |
 //! | `scheduling` | every policy drives within its budget; the estimate in the loop |
 //!
 //! The command itself is tested in `crates/zhuyi-cli/tests`, where Cargo hands over the real binary.
@@ -31,6 +32,7 @@ mod repeatable;
 mod rings;
 mod rogue_policies;
 mod scheduling;
+mod stepwise;
 mod turned;
 
 use zhuyi_core::FrameRates;

@@ -33,6 +33,19 @@ pub struct Camera {
 }
 
 impl Camera {
+    /// Creates a camera at the centre of the ego that looks `yaw` [rad] to the left, with a field of view `fov` [rad] and a `range` [m].
+    pub fn new(name: &str, yaw: f64, fov: f64, range: f64) -> Self {
+        Self {
+            name: name.to_string(),
+            forward: 0.0,
+            left: 0.0,
+            yaw,
+            fov,
+            range,
+            analysed: false,
+        }
+    }
+
     /// The camera's own pose in the world, given the ego's.
     pub fn pose(&self, ego: Pose) -> Pose {
         self.pose_on(&Axes::new(ego))
@@ -62,6 +75,22 @@ impl Camera {
 
 /// [Hz] the full frame rate of a camera: none delivers more frames, and no demand or policy asks for more (reading R4).
 pub const FULL_RATE: f64 = 30.0;
+
+/// Returns the least frame rate [Hz] of a camera, one of so many that share a budget [Hz]: 1 (reading R14), or an equal part where
+/// there is not that much.
+///
+/// ```
+/// use zhuyi_core::camera::least_rate;
+/// assert_eq!(least_rate(60.0, 5), 1.0);
+/// assert_eq!(least_rate(2.0, 5), 0.4);
+/// ```
+pub fn least_rate(budget: f64, cameras: usize) -> f64 {
+    if cameras == 0 {
+        1.0
+    } else {
+        (budget / cameras as f64).min(1.0)
+    }
+}
 
 /// [m] what is nearer than this to a border is not plain.
 const CLEARANCE: f64 = 1e-3;

@@ -38,6 +38,21 @@ pub struct Body {
 }
 
 impl Body {
+    /// Creates a body that stands along a straight road whose reference line is the x axis, and moves along it at `speed` [m/s].
+    pub fn aligned(footprint: Footprint, s: f64, d: f64, speed: f64) -> Self {
+        Self {
+            footprint,
+            road: Frenet { s, d },
+            pose: Pose::new(s, d, 0.0),
+            turn: 0.0,
+            extent: footprint,
+            speed,
+            accel: 0.0,
+            s_rate: speed,
+            d_rate: 0.0,
+        }
+    }
+
     /// [m] the `s` of its foremost edge.
     #[inline]
     pub fn front(&self) -> f64 {

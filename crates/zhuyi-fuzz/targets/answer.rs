@@ -2,33 +2,29 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
+use zhuyi_core::{Body, Camera, Footprint};
 use zhuyi_scheduler::policies::exec::judge;
-use zhuyi_scheduler::{CameraState, Demands, Situation};
+use zhuyi_scheduler::{CameraState, Situation};
 
 fuzz_target!(|input: &[u8]| {
-    let demands = Demands {
-        zhuyi: 9.2,
-        phantom: 12.1,
-        rss: 30.0,
-        ttc: 1.0,
-        pylot: 3.1,
-        offline: None,
+    let rig = ["a", "b"].map(|name| Camera::new(name, 0.0, 2.0, 80.0));
+    let states = rig
+        .each_ref()
+        .map(|camera| CameraState { camera, rate: 20.0 });
+    let car = Footprint {
+        length: 4.5,
+        width: 1.8,
     };
-    let camera = |name| CameraState {
-        name,
-        rate: 20.0,
-        demands,
-        importance: 10.2,
-    };
-    for (cameras, budget) in [
-        (vec![camera("a")], 1.0),
-        (vec![camera("a"), camera("b")], 20.0),
-    ] {
+    for (cameras, budget) in [(&states[..1], 1.0), (&states[..], 20.0)] {
         let situation = Situation {
+            scenario: "cut-in",
+            seed: 0,
             time: 1.2,
             budget,
-            ego_speed: 17.9,
-            cameras: &cameras,
+            ego: &Body::aligned(car, 0.0, 0.0, 17.9),
+            tracks: &[],
+            cameras,
+            demands: &[],
         };
         match judge(input, &situation) {
             Ok(rates) => {

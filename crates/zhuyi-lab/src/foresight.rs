@@ -15,7 +15,6 @@
 use rayon::prelude::*;
 use zhuyi_core::{ActorId, Body, FrameRates, SimTime, Track};
 use zhuyi_estimator::Estimator;
-use zhuyi_scheduler::LooksAt;
 use zhuyi_sim::{Asked, Hindsight, Online, Outcome, RunSpec, STEP};
 
 use crate::parallel::one_by_one;
@@ -138,7 +137,7 @@ struct AllSeeing {
 impl AllSeeing {
     fn new(online: Online, rates: &FrameRates) -> Self {
         Self {
-            online: online.looked_at(LooksAt::PAPER),
+            online,
             rates: rates.all().to_vec(),
             processed: vec![0; rates.all().len()],
         }
@@ -151,7 +150,9 @@ impl AllSeeing {
             .map(|(actor, body)| Track::exact(actor, time, body))
             .collect();
         let rates = self.rates.clone();
-        let asked = self.online.ask(time, ego, &tracks, rates, &self.processed);
+        let asked = self
+            .online
+            .ask(time, ego, &tracks, rates, &self.processed, None);
         asked.demands[camera].latency
     }
 }

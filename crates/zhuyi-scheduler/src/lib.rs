@@ -31,15 +31,20 @@
 //! [`policy`] makes one by its name; [`NAMES`] lists them. A policy of one's own in Rust is a type with [`Policy`]:
 //!
 //! ```
-//! use zhuyi_scheduler::{CameraState, Demands, Policy, Situation, policy};
-//! let camera = |name, demand| CameraState {
-//!     name,
-//!     rate: 10.0,
-//!     demands: Demands::all(demand),
-//!     importance: demand,
+//! use zhuyi_core::{Body, Camera, Footprint};
+//! use zhuyi_scheduler::{CameraState, DemandSeries, Policy, Situation, policy};
+//! let rig = [("front_120", 0.0), ("left", 1.6), ("right", -1.6)].map(|(name, yaw)| Camera::new(name, yaw, 2.0, 80.0));
+//! let cameras = rig.each_ref().map(|camera| CameraState { camera, rate: 10.0 });
+//! let situation = Situation {
+//!     scenario: "cut-in",
+//!     seed: 0,
+//!     time: 0.0,
+//!     budget: 24.0,
+//!     ego: &Body::aligned(Footprint { length: 4.5, width: 1.8 }, 0.0, 0.0, 20.0),
+//!     tracks: &[],
+//!     cameras: &cameras,
+//!     demands: &[DemandSeries::new("zhuyi", [8.0, 3.0, 1.0])],
 //! };
-//! let cameras = [camera("front_120", 8.0), camera("left", 3.0), camera("right", 1.0)];
-//! let situation = Situation { time: 0.0, budget: 24.0, ego_speed: 20.0, cameras: &cameras };
 //! let mut rates = [0.0; 3];
 //! policy("proportional")?.decide(&situation, &mut rates)?;
 //! assert_eq!(rates, [16.0, 6.0, 2.0]);
@@ -56,8 +61,7 @@
 //! Left out: what a change of rates costs, cameras of different resolution, several accelerators.
 
 pub mod chip;
-pub mod decision;
-pub mod error;
+pub mod demands;
 pub mod policies;
 pub mod queue;
 pub mod safety;
@@ -66,7 +70,8 @@ pub mod search;
 pub mod sharing;
 
 pub use chip::{Chip, Compute, Discipline};
-pub use decision::{CameraState, Demands, LooksAt, Policy, Situation};
-pub use error::{PolicyError, RateLimit};
 pub use policies::{MakePolicy, NAMES, UnknownPolicy, policy, policy_maker};
 pub use queue::{Accelerator, Queued};
+pub use zhuyi_core::stages::{
+    CameraState, DemandSeries, Policy, PolicyError, RateLimit, Situation,
+};

@@ -27,25 +27,10 @@
 //! level: Bertsekas & Gallager, Data Networks, section 6.5. Left out: whole numbers of frames. Wishes are taken as
 //! finite and not negative, and the budget as positive: [`Situation::check`](crate::Situation::check) sees to it.
 
-use zhuyi_core::camera::FULL_RATE;
+use zhuyi_core::camera::{FULL_RATE, least_rate};
 
 /// [-] a weight below this share of the largest counts as none.
 const NEGLIGIBLE: f64 = 1e-9;
-
-/// [Hz] the least that every camera gets.
-///
-/// ```
-/// use zhuyi_scheduler::sharing::floor;
-/// assert_eq!(floor(60.0, 5), 1.0);
-/// assert_eq!(floor(2.0, 5), 0.4);
-/// ```
-pub fn floor(budget: f64, cameras: usize) -> f64 {
-    if cameras == 0 {
-        1.0
-    } else {
-        (budget / cameras as f64).min(1.0)
-    }
-}
 
 /// [Hz] rates in proportion to `weights`, none below the floor or above 30. What cannot be used in proportion, because
 /// all others have 30, goes to the cameras without weight in equal parts.
@@ -58,7 +43,7 @@ pub fn floor(budget: f64, cameras: usize) -> f64 {
 /// assert_eq!(in_proportion(&[5.0, 0.0, 0.0], 40.0), [30.0, 5.0, 5.0]);
 /// ```
 pub fn in_proportion(weights: &[f64], budget: f64) -> Vec<f64> {
-    let floor = floor(budget, weights.len());
+    let floor = least_rate(budget, weights.len());
     let largest = weights.iter().copied().fold(0.0, f64::max);
     let ramps = weights.iter().map(|weight| {
         let share = weight / largest;
@@ -83,7 +68,7 @@ pub fn in_proportion(weights: &[f64], budget: f64) -> Vec<f64> {
 /// assert_eq!(cut(&[20.0, 10.0, 1.0], 16.0), [10.0, 5.0, 1.0]);
 /// ```
 pub fn cut(demands: &[f64], budget: f64) -> Vec<f64> {
-    let floor = floor(budget, demands.len());
+    let floor = least_rate(budget, demands.len());
     let ramps = demands.iter().map(|demand| {
         let demand = demand.clamp(floor, FULL_RATE);
         Ramp {
@@ -141,7 +126,7 @@ pub fn demand_first(demands: &[f64], budget: f64) -> Vec<f64> {
 /// If there is not one demand per rate.
 pub fn raise(rates: &[f64], demands: &[f64], budget: f64) -> Vec<f64> {
     assert_eq!(rates.len(), demands.len(), "one demand per camera");
-    let floor = floor(budget, rates.len());
+    let floor = least_rate(budget, rates.len());
     let wanted: Vec<f64> = demands.iter().map(|d| d.clamp(floor, FULL_RATE)).collect();
     let rates = cut(rates, budget);
     let pairs = || rates.iter().zip(&wanted);

@@ -12,13 +12,12 @@
 //! Zhuyi-based system, "Safety check"). The response goes on for `hold` after the last alarm, so that what it mends does
 //! not end it at once.
 
-use std::sync::Arc;
-
+use zhuyi_core::stages::policy;
 use zhuyi_core::{Body, FrameRates, Road, SimTime, Track};
 use zhuyi_estimator::Estimator;
 use zhuyi_scenario::System;
 use zhuyi_scheduler::safety::{Measures, falls_short};
-use zhuyi_scheduler::{CameraState, Demands, Discipline, LooksAt, Policy, PolicyError, Situation};
+use zhuyi_scheduler::{CameraState, DemandSeries, Discipline, Policy, PolicyError, Situation};
 
 use crate::offline::Hindsight;
 use crate::online::{Asked, Online};
@@ -31,17 +30,28 @@ pub(crate) struct Decider {
     policy: Option<Box<dyn Policy>>,
     /// [Hz] frames per second over all cameras, where they are limited.
     budget: Option<f64>,
-    /// [Hz] of every decision and camera, where the future is known.
-    future: Arc<Vec<Vec<f64>>>,
     due: SimTime,
     /// The decision that is due, estimated and not concluded.
     open: Option<Asked>,
     decisions: Vec<Asked>,
-    /// [Hz] the demands of the last estimate.
-    demands: Vec<f64>,
     /// When the last alarm was raised.
     alarm: Option<SimTime>,
     measures: Measures,
+}
+
+/// A decision that a policy did not make: when, in which run, and why.
+#[derive(Debug, thiserror::Error)]
+#[error("{scenario}, seed {seed}, at {time:.3} s: {error}")]
+pub struct DecisionError {
+    /// The scenario's name.
+    pub scenario: String,
+    /// The seed of the run.
+    pub seed: u64,
+    /// [s] time of the decision.
+    pub time: f64,
+    /// What is wrong; it names the policy.
+    #[source]
+    pub error: PolicyError,
 }
 
 /// What the ego knows when a decision is made.
@@ -56,31 +66,30 @@ pub(crate) struct Known<'a> {
 impl Decider {
     /// Creates the decider of a run; none where rates stay and nothing is estimated.
     pub fn new(spec: &RunSpec) -> Option<Self> {
-        let (policy, budget, future) = match &spec.rates {
+        let (policy, budget) = match &spec.rates {
             Rates::Fixed {
                 estimated: false, ..
             } => return None,
-            Rates::Fixed { .. } => (None, None, Arc::default()),
-            Rates::Policy {
-                policy,
-                budget,
-                future,
-            } => (Some(policy()), Some(*budget), future.clone()),
-            Rates::Caller { budget } => (None, Some(*budget), Arc::default()),
+            Rates::Fixed { .. } => (None, None),
+            Rates::Policy { policy, budget } => (Some(policy()), Some(*budget)),
+            Rates::Caller { budget } => (None, Some(*budget)),
         };
-        let looks_at = policy
-            .as_ref()
-            .map_or(LooksAt::PAPER, |policy| policy.looks_at());
-        let online = Online::new(spec.system.clone(), spec.scenario.road.clone());
+        let mut online = Online::new(spec.system.clone(), spec.scenario.road.clone());
+        for model in spec.stages.safety_models(&spec.setup()) {
+            online.add(model);
+        }
+        let asked: Vec<&str> = spec.demand_models.iter().map(String::as_str).collect();
+        online = online.by_models(&asked);
+        if let Some(policy) = &policy {
+            online = online.by_models(policy.demand_models());
+        }
         Some(Self {
-            online: online.looked_at(looks_at),
+            online,
             policy,
             budget,
-            future,
             due: SimTime::ZERO,
             open: None,
             decisions: Vec::new(),
-            demands: Vec::new(),
             alarm: None,
             measures: Measures::default(),
         })
@@ -92,14 +101,15 @@ impl Decider {
         Some(Discipline::for_policy(policy.name()))
     }
 
-    /// Returns the budget [Hz], if there is one.
+    /// Returns what may be spent now [Hz], if that is limited.
     pub fn budget(&self) -> Option<f64> {
-        self.budget
+        Some(self.budget? + self.measures.extra_budget)
     }
 
-    /// Returns the demands [Hz] of the last estimate.
-    pub fn demands(&self) -> &[f64] {
-        &self.demands
+    /// Returns the demands of the last estimate, by model.
+    pub fn demands(&self) -> &[DemandSeries] {
+        let last = self.open.as_ref().or(self.decisions.last());
+        last.map_or(&[], |asked| &asked.by_model)
     }
 
     /// Returns whether a backup system brakes.
@@ -125,23 +135,23 @@ impl Decider {
         processed: impl Iterator<Item = u64>,
     ) {
         self.due += known.spec.system.online.period;
+        let future = &known.spec.future;
+        let future = future.get(self.decisions.len()).or(future.last());
         let asked = self.online.ask(
             known.time,
             known.ego,
             known.tracks,
             rates.to_vec(),
             &processed.collect::<Vec<_>>(),
+            future.map(Vec::as_slice),
         );
-        self.demands.clear();
-        self.demands.extend(asked.demands.iter().map(|d| d.fpr));
         self.measures = self.measures_at(known.time, &known.spec.system);
         self.open = Some(asked);
     }
 
     /// Checks rates that a caller sets.
     pub fn check_rates(&self, known: &Known<'_>, rates: &[f64]) -> Result<(), PolicyError> {
-        let budget = self.budget.unwrap_or(f64::INFINITY) + self.measures.extra_budget;
-        check_rates(known, rates, budget)
+        check_rates(known, rates, self.budget().unwrap_or(f64::INFINITY))
     }
 
     /// Checks rates that a caller sets where there is no budget.
@@ -159,30 +169,29 @@ impl Decider {
 
     /// Lets the policy set the rates of the open decision, if there is a policy.
     pub fn decide(&mut self, known: &Known<'_>) -> Result<(), PolicyError> {
-        let (Some(policy), Some(budget)) = (&mut self.policy, self.budget) else {
+        let (Some(budget), Some(policy)) = (self.budget(), &mut self.policy) else {
             return Ok(());
         };
         let Some(asked) = &mut self.open else {
             return Ok(());
         };
-        let offline = self.future.get(self.decisions.len()).or(self.future.last());
-        let eyes = known.spec.system.perception.eyes.iter().enumerate();
+        let Known { spec, ego, .. } = *known;
+        let eyes = spec.system.perception.eyes.iter().zip(&asked.rates);
         let cameras: Vec<CameraState<'_>> = eyes
-            .map(|(place, eye)| CameraState {
-                name: &eye.camera.name,
-                rate: asked.rates[place],
-                demands: Demands {
-                    offline: offline.map(|demands| demands[place]),
-                    ..asked.by_model[place]
-                },
-                importance: asked.importance[place],
+            .map(|(eye, rate)| CameraState {
+                camera: &eye.camera,
+                rate: *rate,
             })
             .collect();
         let situation = Situation {
+            scenario: &spec.scenario.name,
+            seed: spec.seed,
             time: asked.time.seconds(),
-            budget: budget + self.measures.extra_budget,
-            ego_speed: known.ego.speed,
+            budget,
+            ego,
+            tracks: known.tracks,
             cameras: &cameras,
+            demands: &asked.by_model,
         };
         situation.decided_by(&mut **policy, &mut asked.granted)
     }
@@ -196,7 +205,8 @@ impl Decider {
         let Some(mut asked) = self.open.take() else {
             unreachable!("a decision that is concluded has been estimated")
         };
-        let pairs = asked.granted.iter().zip(&self.demands);
+        let demands: Vec<f64> = asked.demands.iter().map(|demand| demand.fpr).collect();
+        let pairs = asked.granted.iter().zip(&demands);
         asked.alarms.clear();
         let alarms = pairs.map(|(rate, demand)| falls_short(*rate, *demand));
         asked.alarms.extend(alarms);
@@ -205,7 +215,7 @@ impl Decider {
         }
         if let Some(budget) = self.budget {
             let response = system.online.response;
-            asked.granted = response.rates(&asked.granted, &self.demands, budget);
+            asked.granted = response.rates(&asked.granted, &demands, budget);
         }
         self.measures = self.measures_at(asked.time, system);
         self.decisions.push(asked);
@@ -233,29 +243,15 @@ impl Decider {
 
 /// Checks rates of a caller against the limits of a policy.
 fn check_rates(known: &Known<'_>, rates: &[f64], budget: f64) -> Result<(), PolicyError> {
-    let eyes = known.spec.system.perception.eyes.iter();
-    let cameras: Vec<CameraState<'_>> = eyes
-        .map(|eye| CameraState {
-            name: &eye.camera.name,
-            rate: 0.0,
-            demands: Demands::all(0.0),
-            importance: 0.0,
-        })
-        .collect();
-    if rates.len() != cameras.len() {
+    let eyes = &known.spec.system.perception.eyes;
+    if rates.len() != eyes.len() {
         return Err(PolicyError::Places {
-            cameras: cameras.len(),
+            cameras: eyes.len(),
             places: rates.len(),
         });
     }
-    let situation = Situation {
-        time: known.time.seconds(),
-        budget,
-        ego_speed: known.ego.speed,
-        cameras: &cameras,
-    };
-    let checked = situation.check_rates(rates, ROUNDING);
-    checked.map_err(|limit| PolicyError::Rates {
+    let names = eyes.iter().map(|eye| eye.camera.name.as_str());
+    policy::check_rates(names, rates, budget, ROUNDING).map_err(|limit| PolicyError::Rates {
         policy: "the caller".to_string(),
         limit,
     })

@@ -17,6 +17,7 @@
 //! instants, not on steps; the planner sees confirmed tracks and nothing else.
 
 mod decisions;
+pub mod demand_models;
 pub mod draws;
 mod instant;
 pub mod notes;
@@ -36,13 +37,13 @@ mod uncleared;
 pub mod waterfall;
 pub mod witness;
 
-pub use decisions::known_future;
+pub use decisions::{DecisionError, known_future};
 pub use draws::Draws;
 pub use notes::{Note, notes};
 pub use offline::{Hindsight, Peak, Peaks};
 pub use online::{Asked, Online};
 pub use outcome::{Collision, Extremes, Frames, Outcome, RunRecord};
-pub use simulation::{Action, DecisionError, Simulation};
+pub use simulation::{Action, Simulation};
 pub use spec::{RunSpec, SpecError, equal_parts};
 pub use stages::Setup;
 pub use surroundings::{believed, surroundings};

@@ -14,7 +14,7 @@ use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::{Compute, PolicyError};
 use zhuyi_world::{Contact, World};
 
-use crate::decisions::{Decider, Known};
+use crate::decisions::{Decider, DecisionError, Known};
 use crate::instant::Instant;
 use crate::outcome::{Collision, Frames, Outcome, RunRecord};
 use crate::pipeline::Pipeline;
@@ -36,7 +36,7 @@ use crate::witness::Witness;
 /// while !simulation.is_over() {
 ///     if simulation.decision_is_due() {
 ///         let observation = simulation.observe();
-///         assert_eq!(observation.demands.len(), 5);
+///         assert_eq!(observation.demand().len(), 5);
 ///         simulation.act(Action::Rates(&[5.0; 5]))?;
 ///     }
 ///     simulation.step()?;
@@ -77,21 +77,6 @@ pub enum Action<'a> {
     Rates(&'a [f64]),
     /// Command for the next step, in place of the planner's.
     Command(Command),
-}
-
-/// A decision that a policy did not make: when, in which run, and why.
-#[derive(Debug, thiserror::Error)]
-#[error("{scenario}, seed {seed}, at {time:.3} s: {error}")]
-pub struct DecisionError {
-    /// The scenario's name.
-    pub scenario: String,
-    /// The seed of the run.
-    pub seed: u64,
-    /// [s] time of the decision.
-    pub time: f64,
-    /// What is wrong; it names the policy.
-    #[source]
-    pub error: PolicyError,
 }
 
 impl Simulation {
@@ -446,7 +431,7 @@ impl Simulation {
             forecasts: &self.forecasts[..self.tracks.len()],
             demands: self.decider.as_ref().map_or(&[], Decider::demands),
             rates: &self.rates,
-            budget_left: budget.map(|budget| budget - self.rates.iter().sum::<f64>()),
+            budget,
         }
     }
 

@@ -12,6 +12,7 @@ use zhuyi_core::CameraId;
 use zhuyi_core::FrameRates;
 use zhuyi_core::camera::FULL_RATE;
 use zhuyi_core::stages::{Observer, Planner, Predictor, Sensor, Tracker};
+use zhuyi_estimator::SafetyModel;
 use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::{MakePolicy, UnknownPolicy, policy_maker};
 
@@ -45,6 +46,10 @@ pub struct RunSpec {
     pub(crate) witnessed: bool,
     pub(crate) traced: bool,
     pub(crate) stages: Stages,
+    /// Ids of the demand models that are computed for the caller.
+    pub(crate) demand_models: Vec<String>,
+    /// [Hz] demands of every decision and camera that follow from the true future; empty where they are not known.
+    pub(crate) future: Arc<Vec<Vec<f64>>>,
 }
 
 /// Who sets the rates.
@@ -52,12 +57,8 @@ pub struct RunSpec {
 pub(crate) enum Rates {
     /// Nobody: they stay. Whether the estimate is made beside the run.
     Fixed { rates: FrameRates, estimated: bool },
-    /// A policy, with a budget [Hz]; `future` is told to it.
-    Policy {
-        policy: MakePolicy,
-        budget: f64,
-        future: Arc<Vec<Vec<f64>>>,
-    },
+    /// A policy, with a budget [Hz].
+    Policy { policy: MakePolicy, budget: f64 },
     /// The caller, by [`Simulation::act`](crate::Simulation::act), with a budget [Hz].
     Caller { budget: f64 },
 }
@@ -74,14 +75,6 @@ pub enum SpecError {
     /// Policy that does not exist.
     #[error(transparent)]
     Policy(#[from] UnknownPolicy),
-    /// Rates for another number of cameras than the rig has.
-    #[error("{rates} rates for {cameras} cameras")]
-    Rates {
-        /// Number of rates.
-        rates: usize,
-        /// Number of cameras of the rig.
-        cameras: usize,
-    },
 }
 
 impl RunSpec {
@@ -100,6 +93,8 @@ impl RunSpec {
             witnessed: false,
             traced: true,
             stages: Stages::default(),
+            demand_models: Vec::new(),
+            future: Arc::default(),
         }
     }
 
@@ -157,7 +152,6 @@ impl RunSpec {
         let rates = Rates::Policy {
             policy: make,
             budget: checked(budget)?,
-            future: Arc::default(),
         };
         Ok(Self { rates, ..self })
     }
@@ -174,13 +168,14 @@ impl RunSpec {
         })
     }
 
-    /// Tells the policy the [`known_future`](crate::known_future) of another run; behind its end its last demands stay.
+    /// Tells the run the [`known_future`](crate::known_future) of another one, from which the demands `offline` are taken; behind its
+    /// end its last demands stay.
     #[must_use]
-    pub fn with_known_future(mut self, demands: impl Into<Arc<Vec<Vec<f64>>>>) -> Self {
-        if let Rates::Policy { future, .. } = &mut self.rates {
-            *future = demands.into();
+    pub fn with_known_future(self, demands: impl Into<Arc<Vec<Vec<f64>>>>) -> Self {
+        Self {
+            future: demands.into(),
+            ..self
         }
-        self
     }
 
     /// Records what was known at every step: [`RunRecord::witness`](crate::RunRecord::witness).
@@ -250,6 +245,27 @@ impl RunSpec {
         self
     }
 
+    /// Adds a safety model as one more demand model, under its own name, for policies and observers that look at it.
+    #[must_use]
+    pub fn with_safety_model<T: SafetyModel + Send + 'static>(
+        mut self,
+        make: impl Fn(&Setup<'_>) -> T + Send + Sync + 'static,
+    ) -> Self {
+        let make =
+            Arc::new(move |setup: &Setup<'_>| Box::new(make(setup)) as Box<dyn SafetyModel + Send>);
+        self.stages.safety_models.push(make);
+        self
+    }
+
+    /// Computes demands by these [models](crate::demand_models) too, where a policy sets the rates, the caller does, or the estimate is made
+    /// beside the run.
+    #[must_use]
+    pub fn with_demand_models(mut self, models: &[&str]) -> Self {
+        let models = models.iter().map(ToString::to_string);
+        self.demand_models.extend(models);
+        self
+    }
+
     /// Adds an observer.
     #[must_use]
     pub fn with_observer<T: Observer + 'static>(
@@ -295,7 +311,7 @@ impl RunSpec {
     }
 
     /// Returns the rates with which the run begins: those that stay, or a budget in equal parts.
-    pub(crate) fn first_rates(&self) -> FrameRates {
+    pub fn first_rates(&self) -> FrameRates {
         match &self.rates {
             Rates::Fixed { rates, .. } => rates.clone(),
             Rates::Policy { budget, .. } | Rates::Caller { budget } => {

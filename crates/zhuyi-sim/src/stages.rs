@@ -6,6 +6,7 @@
 //! | tracker | [`Tracker`] | [`KalmanTracker`] |
 //! | predictor | [`Predictor`] | [`KinematicPredictor`](zhuyi_prediction::KinematicPredictor) |
 //! | planner | [`Planner`] | [`RuleBasedPlanner`] |
+//! | safety models | [`SafetyModel`] | those of the estimator |
 //! | observers | [`Observer`] | - |
 //!
 //! A [`RunSpec`](crate::RunSpec) keeps a function per stage, which makes a new one for each run: runs share nothing.
@@ -15,6 +16,7 @@ use std::sync::Arc;
 use rand_chacha::ChaCha8Rng;
 use zhuyi_core::CameraId;
 use zhuyi_core::stages::{Observer, Planner, Predictor, Sensor, Tracker};
+use zhuyi_estimator::SafetyModel;
 use zhuyi_perception::KalmanTracker;
 use zhuyi_planner::RuleBasedPlanner;
 use zhuyi_scenario::{Scenario, System};
@@ -50,6 +52,7 @@ pub(crate) struct Stages {
     pub predictor: Option<Make<dyn Predictor>>,
     pub planner: Option<Make<dyn Planner>>,
     pub observers: Vec<Make<dyn Observer>>,
+    pub safety_models: Vec<Make<dyn SafetyModel + Send>>,
 }
 
 impl Stages {
@@ -78,6 +81,10 @@ impl Stages {
         Box::new(planner)
     }
 
+    pub fn safety_models(&self, setup: &Setup<'_>) -> Vec<Box<dyn SafetyModel + Send>> {
+        self.safety_models.iter().map(|make| make(setup)).collect()
+    }
+
     pub fn observers(&self, setup: &Setup<'_>) -> Vec<Box<dyn Observer>> {
         self.observers.iter().map(|make| make(setup)).collect()
     }
@@ -90,6 +97,7 @@ impl std::fmt::Debug for Stages {
             .field("tracker", &self.tracker.is_some())
             .field("predictor", &self.predictor.is_some())
             .field("planner", &self.planner.is_some())
+            .field("safety_models", &self.safety_models.len())
             .field("observers", &self.observers.len())
             .finish()
     }

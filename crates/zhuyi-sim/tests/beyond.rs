@@ -168,8 +168,9 @@ fn hand_phantoms_past_the_tracks_raise_the_demand_before_the_obstacle_is_in_sigh
         let run = spec.expect("a policy").run();
         let run = run.expect("no program, nothing to fail");
         let front = run.decisions.iter().map(|asked| {
-            let demands = &asked.by_model[0];
-            (asked.time.seconds(), demands.zhuyi, demands.phantom)
+            let of = |place: usize| asked.by_model[place].of_cameras[0];
+            assert_eq!(asked.by_model[1].model, "phantom");
+            (asked.time.seconds(), of(0), of(1))
         });
         let (mut without, mut with) = (0.0, 0.0);
         for (time, plain, phantom) in front {

@@ -74,7 +74,7 @@ pub mod prelude {
     };
     pub use zhuyi_estimator::{Demand, Ego, Estimate, Estimator, Future, Params, Watch};
     pub use zhuyi_scenario::{Scenario, Setting, Source, System, embedded};
-    pub use zhuyi_scheduler::{CameraState, Demands, Policy, PolicyError, Situation, policy};
+    pub use zhuyi_scheduler::{CameraState, DemandSeries, Policy, PolicyError, Situation, policy};
     pub use zhuyi_sim::{
         Action, Hindsight, Outcome, Peaks, RunRecord, RunSpec, Setup, Simulation, Trace,
     };

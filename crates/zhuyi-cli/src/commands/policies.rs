@@ -1,7 +1,8 @@
 //! Policies and budgets as typed: a budget is in frames per second, or in TOPS of an accelerator.
 
+use zhuyi_core::Body;
 use zhuyi_scenario::System;
-use zhuyi_scheduler::{CameraState, Chip, Compute, Demands, MakePolicy, Situation, policy_maker};
+use zhuyi_scheduler::{CameraState, Chip, Compute, MakePolicy, Situation, policy_maker};
 
 use crate::argument::Argument;
 use crate::fault::Fault;
@@ -29,17 +30,19 @@ pub fn look_at(name: &str, budget: f64, system: &System, problems: &mut Problems
     let eyes = system.perception.eyes.iter();
     let cameras: Vec<CameraState<'_>> = eyes
         .map(|eye| CameraState {
-            name: &eye.camera.name,
+            camera: &eye.camera,
             rate: 1.0,
-            demands: Demands::all(1.0),
-            importance: 1.0,
         })
         .collect();
     let situation = Situation {
+        scenario: "",
+        seed: 0,
         time: 0.0,
         budget,
-        ego_speed: 0.0,
+        ego: &Body::aligned(system.vehicle.footprint, 0.0, 0.0, 0.0),
+        tracks: &[],
         cameras: &cameras,
+        demands: &[],
     };
     let mut rates = vec![0.0; cameras.len()];
     if let Err(error) = situation.decided_by(&mut *policy(), &mut rates) {

@@ -1,5 +1,6 @@
 //! Observer: whatever watches a run, step by step, and changes nothing.
 
+use crate::stages::DemandSeries;
 use crate::{Body, Command, Forecast, Scene, SimTime, Track};
 
 /// Watches a run.
@@ -34,11 +35,26 @@ pub struct Observation<'a> {
     pub tracks: &'a [Track],
     /// Their forecasts, in the same order: those that the planner is given.
     pub forecasts: &'a [Forecast],
-    /// [Hz] demand of every camera by the paper's model at the last decision, in the order of the rig; empty before the first
-    /// decision and where none is estimated.
-    pub demands: &'a [f64],
+    /// Demands on the cameras at the last decision, by model: the paper's (`zhuyi`) first. Empty before the first decision and where
+    /// none is estimated.
+    pub demands: &'a [DemandSeries],
     /// [Hz] present frame rate of every camera, in the order of the rig.
     pub rates: &'a [f64],
-    /// [Hz] what of the budget the present rates leave; none without a budget.
-    pub budget_left: Option<f64>,
+    /// [Hz] frames per second that all cameras together may process; none without a budget.
+    pub budget: Option<f64>,
+}
+
+impl Observation<'_> {
+    /// Returns what of the budget [Hz] the present rates leave; none without a budget.
+    pub fn budget_left(&self) -> Option<f64> {
+        Some(self.budget? - self.rates.iter().sum::<f64>())
+    }
+
+    /// Returns the demand [Hz] on each camera by the paper's model at the last decision, in the order of the rig; empty as
+    /// [`Observation::demands`].
+    pub fn demand(&self) -> &[f64] {
+        self.demands
+            .first()
+            .map_or(&[], |series| &series.of_cameras)
+    }
 }

@@ -9,9 +9,9 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 use zhuyi_core::FrameRates;
+use zhuyi_core::camera::least_rate;
 use zhuyi_scenario::System;
 use zhuyi_scheduler::search::allocations;
-use zhuyi_scheduler::sharing::floor;
 
 use super::{Allocating, Budget};
 use crate::progress::Progress;
@@ -45,7 +45,7 @@ pub(super) fn search(plan: &Allocating, budgets: &[Budget], progress: &dyn Progr
         let mut candidates = allocations(&sizes, &CHOICES, budget.fps);
         if candidates.is_empty() {
             // Not even one frame a second for each camera.
-            let each = floor(budget.fps, plan.system.perception.eyes.len());
+            let each = least_rate(budget.fps, plan.system.perception.eyes.len());
             candidates.push(vec![each; groups.len()]);
         }
         // What did well with less is tried first, with what more it can have.

@@ -5,8 +5,9 @@
 //! [`demand_first`](crate::sharing::demand_first) shares. The future is that of a recorded run: where the rates change
 //! what the ego does, it is no longer quite true. Source: the offline estimates of the paper's experiments.
 
+use crate::demands::{self, share};
 use crate::sharing;
-use crate::{LooksAt, Policy, PolicyError, Situation};
+use crate::{Policy, PolicyError, Situation};
 
 /// The demand with the future known first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -17,22 +18,11 @@ impl Policy for Clairvoyant {
         "clairvoyant"
     }
 
-    fn looks_at(&self) -> LooksAt {
-        LooksAt::PAPER
+    fn demand_models(&self) -> &[&str] {
+        &[demands::OFFLINE]
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
-        situation.check(rates)?;
-        let demands: Result<Vec<f64>, _> = situation
-            .cameras
-            .iter()
-            .map(|camera| {
-                camera.demands.offline.ok_or_else(|| PolicyError::NoFuture {
-                    camera: camera.name.to_string(),
-                })
-            })
-            .collect();
-        rates.copy_from_slice(&sharing::demand_first(&demands?, situation.budget));
-        Ok(())
+        share(situation, rates, demands::OFFLINE, sharing::demand_first)
     }
 }

@@ -8,8 +8,9 @@
 //! equations. It differs from `proportional` where there is more than enough: the surplus does not follow the demand,
 //! so that a camera which sees nothing yet is ready for something new. Left out: what was before.
 
+use crate::demands::{self, share};
 use crate::sharing;
-use crate::{LooksAt, Policy, PolicyError, Situation};
+use crate::{Policy, PolicyError, Situation};
 
 /// The demand, then equal parts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -20,11 +21,7 @@ impl Policy for DemandFirst {
         "demand-first"
     }
 
-    fn looks_at(&self) -> LooksAt {
-        LooksAt::PAPER
-    }
-
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
-        situation.share(rates, |d| d.zhuyi, sharing::demand_first)
+        share(situation, rates, demands::ZHUYI, sharing::demand_first)
     }
 }

@@ -8,8 +8,9 @@
 //! the paper's figure of 36 % supposes: each camera runs at its estimate. It spends the least and has nothing in reserve
 //! for whom nobody has confirmed yet. Left out: what was before.
 
+use crate::demands::{self, share};
 use crate::sharing;
-use crate::{LooksAt, Policy, PolicyError, Situation};
+use crate::{Policy, PolicyError, Situation};
 
 /// The demand and no more.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -20,11 +21,7 @@ impl Policy for DemandOnly {
         "demand-only"
     }
 
-    fn looks_at(&self) -> LooksAt {
-        LooksAt::PAPER
-    }
-
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
-        situation.share(rates, |d| d.zhuyi, sharing::cut)
+        share(situation, rates, demands::ZHUYI, sharing::cut)
     }
 }

@@ -11,8 +11,9 @@
 //!
 //! [`Discipline::for_policy`]: crate::Discipline::for_policy
 
+use crate::demands::{self, share};
 use crate::sharing;
-use crate::{LooksAt, Policy, PolicyError, Situation};
+use crate::{Policy, PolicyError, Situation};
 
 /// Rates of `demand-first`; the order of frames is the point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -23,11 +24,7 @@ impl Policy for Edf {
         "edf"
     }
 
-    fn looks_at(&self) -> LooksAt {
-        LooksAt::PAPER
-    }
-
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
-        situation.share(rates, |d| d.zhuyi, sharing::demand_first)
+        share(situation, rates, demands::ZHUYI, sharing::demand_first)
     }
 }

@@ -63,7 +63,7 @@ impl Exec {
         Self { limit, ..self }
     }
 
-    fn ask(&mut self, situation: &Situation<'_>) -> Result<Vec<f64>, Wrong> {
+    fn ask(&mut self, question: Vec<u8>, situation: &Situation<'_>) -> Result<Vec<f64>, Wrong> {
         if let State::NotStarted = self.state {
             let program = Program::start(&self.command).map_err(|e| (Fault::Start(e), None))?;
             self.state = State::Running(program);
@@ -71,7 +71,6 @@ impl Exec {
         let State::Running(program) = &mut self.state else {
             return Err((Fault::GivenUp, None));
         };
-        let question = protocol::question(situation).map_err(|e| (Fault::Question(e), None))?;
         let line = program.ask(question, self.limit).map_err(|no| match no {
             NoAnswer::Silent => {
                 let limit = self.limit.as_secs_f64();
@@ -111,22 +110,26 @@ impl Policy for Exec {
         &self.name
     }
 
+    fn demand_models(&self) -> &[&str] {
+        &protocol::MODELS
+    }
+
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
         situation.check(rates)?;
-        match self.ask(situation) {
+        let question = protocol::question(situation)?;
+        match self.ask(question, situation) {
             Ok(answered) => {
                 rates.copy_from_slice(&answered);
                 Ok(())
             }
             Err((fault, line)) => {
                 self.state = State::GivenUp;
-                Err(Box::new(ProgramError {
+                Err(PolicyError::Failed(Box::new(ProgramError {
                     program: self.command.clone(),
                     time: situation.time,
                     fault,
                     line: line.as_deref().map(fault::excerpt),
-                })
-                .into())
+                })))
             }
         }
     }

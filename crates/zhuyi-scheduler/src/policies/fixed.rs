@@ -11,7 +11,7 @@
 //! Suraksha (ISSRE 2021), which looks for the lowest rates that are safe in all scenarios. Left out: what is seen.
 
 use crate::policies::UnknownPolicy;
-use crate::{LooksAt, Policy, PolicyError, Situation};
+use crate::{Policy, PolicyError, Situation};
 use zhuyi_core::camera::FULL_RATE;
 
 /// Rates that never change.
@@ -61,12 +61,12 @@ impl Static {
     fn assigned(&self, situation: &Situation<'_>) -> Result<Vec<Option<f64>>, PolicyError> {
         let cameras = situation.cameras;
         let mut assigned = vec![None; cameras.len()];
-        let is = |named: &str| cameras.iter().any(|camera| camera.name == named);
+        let is = |named: &str| cameras.iter().any(|camera| camera.camera.name == named);
         let (own, groups): (Vec<_>, Vec<_>) = self.given.iter().partition(|(name, _)| is(name));
         for (named, hz) in groups {
             let mut members = 0;
             for (camera, slot) in cameras.iter().zip(&mut assigned) {
-                let rest = camera.name.strip_prefix(named.as_str());
+                let rest = camera.camera.name.strip_prefix(named.as_str());
                 if rest.is_some_and(|rest| rest.starts_with('_')) {
                     *slot = Some(*hz);
                     members += 1;
@@ -76,13 +76,13 @@ impl Static {
                 return Err(PolicyError::NoSuchCamera {
                     policy: self.name.clone(),
                     named: named.clone(),
-                    rig: cameras.iter().map(|c| c.name.to_string()).collect(),
+                    rig: cameras.iter().map(|c| c.camera.name.clone()).collect(),
                 });
             }
         }
         for (named, hz) in own {
             for (camera, slot) in cameras.iter().zip(&mut assigned) {
-                if camera.name == named {
+                if camera.camera.name == *named {
                     *slot = Some(*hz);
                 }
             }
@@ -96,8 +96,8 @@ impl Policy for Static {
         &self.name
     }
 
-    fn looks_at(&self) -> LooksAt {
-        LooksAt::PAPER
+    fn demand_models(&self) -> &[&str] {
+        &[]
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {

@@ -16,8 +16,9 @@
 //! floor of 1 FPR per camera is that of all policies. Source: our own; a change of rate costs a frame that is thrown
 //! away or waits (reading R15). Left out: changes of the budget, which act at once.
 
+use crate::demands;
 use crate::sharing;
-use crate::{LooksAt, Policy, PolicyError, Situation};
+use crate::{Policy, PolicyError, Situation};
 
 /// Demand first, falling late.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,13 +85,9 @@ impl Policy for Hysteresis {
         "demand-hysteresis"
     }
 
-    fn looks_at(&self) -> LooksAt {
-        LooksAt::PAPER
-    }
-
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
         situation.check(rates)?;
-        let demands = situation.demands(|d| d.zhuyi);
+        let demands = situation.demands(demands::ZHUYI)?;
         if self.held.len() != demands.len() {
             // The first decision, or another rig: nothing to remember.
             let fresh = demands.iter().map(|&demand| Held {
@@ -99,7 +96,7 @@ impl Policy for Hysteresis {
             });
             self.held = fresh.collect();
         }
-        for (held, demand) in self.held.iter_mut().zip(demands) {
+        for (held, demand) in self.held.iter_mut().zip(demands.iter().copied()) {
             held.follow(demand, situation.time, self.band, self.hold);
         }
         let held: Vec<f64> = self.held.iter().map(|held| held.demand).collect();

@@ -14,8 +14,9 @@
 //! harmless actors outweigh a single urgent one, and nobody is promised the demand. A camera without actors has the
 //! floor, unless all others have 30.
 
+use crate::demands::{self, share};
 use crate::sharing;
-use crate::{LooksAt, Policy, PolicyError, Situation};
+use crate::{Policy, PolicyError, Situation};
 
 /// In proportion to the importance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -26,14 +27,16 @@ impl Policy for Importance {
         "importance"
     }
 
-    fn looks_at(&self) -> LooksAt {
-        LooksAt::PAPER
+    fn demand_models(&self) -> &[&str] {
+        &[demands::IMPORTANCE]
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
-        situation.check(rates)?;
-        let weights: Vec<f64> = situation.cameras.iter().map(|c| c.importance).collect();
-        rates.copy_from_slice(&sharing::in_proportion(&weights, situation.budget));
-        Ok(())
+        share(
+            situation,
+            rates,
+            demands::IMPORTANCE,
+            sharing::in_proportion,
+        )
     }
 }

@@ -5,8 +5,9 @@
 //! hidden obstacle asks for nothing before it is confirmed, and the frames that confirm it must have been taken before:
 //! this demand is there in time. Source: our own. Left out: memory of what was seen there a moment ago.
 
+use crate::demands::{self, share};
 use crate::sharing;
-use crate::{LooksAt, Policy, PolicyError, Situation};
+use crate::{Policy, PolicyError, Situation};
 
 /// The demand with phantoms first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -17,14 +18,11 @@ impl Policy for Phantom {
         "phantom"
     }
 
-    fn looks_at(&self) -> LooksAt {
-        LooksAt {
-            phantoms: true,
-            ..LooksAt::PAPER
-        }
+    fn demand_models(&self) -> &[&str] {
+        &[demands::PHANTOM]
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
-        situation.share(rates, |d| d.phantom, sharing::demand_first)
+        share(situation, rates, demands::PHANTOM, sharing::demand_first)
     }
 }

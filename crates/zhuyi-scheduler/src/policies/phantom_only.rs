@@ -3,8 +3,9 @@
 //! d_i is that of [`phantom`](crate::policies::phantom) [Hz]; [`cut`](crate::sharing::cut) shares. It is to `phantom`
 //! what `demand-only` is to `demand-first`. Source: our own. Left out: what was before.
 
+use crate::demands::{self, share};
 use crate::sharing;
-use crate::{LooksAt, Policy, PolicyError, Situation};
+use crate::{Policy, PolicyError, Situation};
 
 /// The demand with phantoms and no more.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -15,14 +16,11 @@ impl Policy for PhantomOnly {
         "phantom-only"
     }
 
-    fn looks_at(&self) -> LooksAt {
-        LooksAt {
-            phantoms: true,
-            ..LooksAt::PAPER
-        }
+    fn demand_models(&self) -> &[&str] {
+        &[demands::PHANTOM]
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
-        situation.share(rates, |d| d.phantom, sharing::cut)
+        share(situation, rates, demands::PHANTOM, sharing::cut)
     }
 }

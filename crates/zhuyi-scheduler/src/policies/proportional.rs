@@ -9,8 +9,9 @@
 //! system). The paper says so of times when the rates suffice; in times when they do not, the same factor shortens
 //! all of them here. Left out: that a quiet camera, too, takes a share of what is more than enough.
 
+use crate::demands::{self, share};
 use crate::sharing;
-use crate::{LooksAt, Policy, PolicyError, Situation};
+use crate::{Policy, PolicyError, Situation};
 
 /// In proportion to the demand.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -21,11 +22,7 @@ impl Policy for Proportional {
         "proportional"
     }
 
-    fn looks_at(&self) -> LooksAt {
-        LooksAt::PAPER
-    }
-
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
-        situation.share(rates, |d| d.zhuyi, sharing::in_proportion)
+        share(situation, rates, demands::ZHUYI, sharing::in_proportion)
     }
 }

@@ -4,8 +4,9 @@
 //! [`demand_first`](crate::sharing::demand_first) shares. Source: Gog et al., Pylot (ICRA 2021) and D3 (EuroSys 2022).
 //! Left out by the model: who is there. Pylot itself chooses among networks by its deadline, not among cameras.
 
+use crate::demands::{self, share};
 use crate::sharing;
-use crate::{LooksAt, Policy, PolicyError, Situation};
+use crate::{Policy, PolicyError, Situation};
 
 /// The demand of Pylot's deadline first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -16,14 +17,11 @@ impl Policy for Pylot {
         "pylot"
     }
 
-    fn looks_at(&self) -> LooksAt {
-        LooksAt {
-            rivals: true,
-            ..LooksAt::PAPER
-        }
+    fn demand_models(&self) -> &[&str] {
+        &[demands::PYLOT]
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
-        situation.share(rates, |d| d.pylot, sharing::demand_first)
+        share(situation, rates, demands::PYLOT, sharing::demand_first)
     }
 }

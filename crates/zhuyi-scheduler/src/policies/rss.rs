@@ -4,8 +4,9 @@
 //! into a rate (zhuyi-estimator, `rivals::rss`); [`demand_first`](crate::sharing::demand_first) shares. Source:
 //! Shalev-Shwartz, Shammah & Shashua, arXiv 1708.06374. RSS itself knows of no cameras. Left out: lateral responses.
 
+use crate::demands::{self, share};
 use crate::sharing;
-use crate::{LooksAt, Policy, PolicyError, Situation};
+use crate::{Policy, PolicyError, Situation};
 
 /// The demand of RSS first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -16,14 +17,11 @@ impl Policy for Rss {
         "rss"
     }
 
-    fn looks_at(&self) -> LooksAt {
-        LooksAt {
-            rivals: true,
-            ..LooksAt::PAPER
-        }
+    fn demand_models(&self) -> &[&str] {
+        &[demands::RSS]
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
-        situation.share(rates, |d| d.rss, sharing::demand_first)
+        share(situation, rates, demands::RSS, sharing::demand_first)
     }
 }

@@ -4,8 +4,9 @@
 //! (zhuyi-estimator, `rivals::ttc`); [`demand_first`](crate::sharing::demand_first) shares. Source: Hayward 1972.
 //! Left out by the measure: how hard anybody can brake.
 
+use crate::demands::{self, share};
 use crate::sharing;
-use crate::{LooksAt, Policy, PolicyError, Situation};
+use crate::{Policy, PolicyError, Situation};
 
 /// The demand of TTC first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -16,14 +17,11 @@ impl Policy for Ttc {
         "ttc"
     }
 
-    fn looks_at(&self) -> LooksAt {
-        LooksAt {
-            rivals: true,
-            ..LooksAt::PAPER
-        }
+    fn demand_models(&self) -> &[&str] {
+        &[demands::TTC]
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {
-        situation.share(rates, |d| d.ttc, sharing::demand_first)
+        share(situation, rates, demands::TTC, sharing::demand_first)
     }
 }

@@ -6,7 +6,7 @@
 //!
 //! B is the budget [Hz], n the number of cameras. The baseline of all comparisons. Left out: everything that is known.
 
-use crate::{LooksAt, Policy, PolicyError, Situation};
+use crate::{Policy, PolicyError, Situation};
 use zhuyi_core::camera::FULL_RATE;
 
 /// Every camera the same.
@@ -18,8 +18,8 @@ impl Policy for Uniform {
         "uniform"
     }
 
-    fn looks_at(&self) -> LooksAt {
-        LooksAt::PAPER
+    fn demand_models(&self) -> &[&str] {
+        &[]
     }
 
     fn decide(&mut self, situation: &Situation<'_>, rates: &mut [f64]) -> Result<(), PolicyError> {

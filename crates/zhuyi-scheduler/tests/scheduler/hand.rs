@@ -1,11 +1,9 @@
 //! Policies in situations worked by hand.
 
 use crate::situation::Scene;
+use zhuyi_scheduler::demands::{IMPORTANCE, OFFLINE, PHANTOM, PYLOT, RSS, TTC, ZHUYI};
 use zhuyi_scheduler::search::allocations;
-use zhuyi_scheduler::{CameraState, Demands, PolicyError, Situation, policy};
-
-/// Gives one number of a camera another value.
-type Set = fn(&mut CameraState<'_>, f64);
+use zhuyi_scheduler::{PolicyError, policy};
 
 fn rates(name: &str, scene: &Scene) -> Vec<f64> {
     let mut policy = policy(name).expect("a policy");
@@ -16,23 +14,23 @@ fn rates(name: &str, scene: &Scene) -> Vec<f64> {
 fn hand_each_policy_looks_at_its_own_number() {
     // Two cameras; each model asks 9 of the first and 3 of the second, or the other way round.
     let mut scene = Scene::asking(&[1.0, 1.0], 12.0);
-    let settings: [(&str, Set); 10] = [
-        ("proportional", |camera, x| camera.demands.zhuyi = x),
-        ("demand-first", |camera, x| camera.demands.zhuyi = x),
-        ("demand-hysteresis", |camera, x| camera.demands.zhuyi = x),
-        ("edf", |camera, x| camera.demands.zhuyi = x),
-        ("importance", |camera, x| camera.importance = x),
-        ("phantom", |camera, x| camera.demands.phantom = x),
-        ("rss", |camera, x| camera.demands.rss = x),
-        ("ttc", |camera, x| camera.demands.ttc = x),
-        ("pylot", |camera, x| camera.demands.pylot = x),
-        ("clairvoyant", |camera, x| camera.demands.offline = Some(x)),
+    let settings = [
+        ("proportional", ZHUYI),
+        ("demand-first", ZHUYI),
+        ("demand-hysteresis", ZHUYI),
+        ("edf", ZHUYI),
+        ("importance", IMPORTANCE),
+        ("phantom", PHANTOM),
+        ("rss", RSS),
+        ("ttc", TTC),
+        ("pylot", PYLOT),
+        ("clairvoyant", OFFLINE),
     ];
-    for (name, set) in settings {
+    for (name, model) in settings {
         let quiet = scene.clone();
         assert_eq!(rates(name, &scene), [6.0, 6.0], "{name} without demand");
-        set(&mut scene.cameras[0], 9.0);
-        set(&mut scene.cameras[1], 3.0);
+        *scene.demand(model, 0) = 9.0;
+        *scene.demand(model, 1) = 3.0;
         assert_eq!(rates(name, &scene), [9.0, 3.0], "{name}");
         assert_eq!(rates("uniform", &scene), [6.0, 6.0]);
         scene = quiet;
@@ -74,7 +72,7 @@ fn hand_no_camera_gets_more_than_thirty() {
 fn hand_many_harmless_actors_outweigh_an_urgent_one_in_importance_only() {
     // In front one actor at 8 FPR; to the left twelve at 1 FPR each, whose largest is 1.
     let mut scene = Scene::asking(&[8.0, 1.0], 20.0);
-    scene.cameras[1].importance = 12.0;
+    *scene.demand(IMPORTANCE, 1) = 12.0;
     assert_eq!(rates("importance", &scene), [8.0, 12.0]);
     // The demands 8 and 1 leave 11 of the 20, 5.5 for each.
     assert_eq!(rates("demand-first", &scene), [13.5, 6.5]);
@@ -140,11 +138,11 @@ fn hand_static_refuses_what_it_cannot_do() {
 #[test]
 fn hand_the_clairvoyant_needs_the_future() {
     let mut scene = Scene::asking(&[1.0, 1.0], 10.0);
-    scene.cameras[1].demands.offline = None;
+    scene.demands.retain(|series| series.model != OFFLINE);
     let error = scene
         .rates(&mut *policy("clairvoyant").unwrap())
         .unwrap_err();
-    assert!(matches!(error, PolicyError::NoFuture { camera } if camera == "front_60"));
+    assert!(matches!(error, PolicyError::NoDemand { model, .. } if model == OFFLINE));
     assert!(scene.rates(&mut *policy("proportional").unwrap()).is_ok());
 }
 
@@ -156,10 +154,10 @@ fn hand_a_situation_without_sense_is_an_error_for_every_policy() {
         |scene| scene.budget = f64::INFINITY,
         |scene| scene.time = f64::NAN,
         |scene| scene.ego_speed = f64::NAN,
-        |scene| scene.cameras[1].demands.zhuyi = f64::NAN,
-        |scene| scene.cameras[1].demands.offline = Some(-1.0),
-        |scene| scene.cameras[1].importance = f64::INFINITY,
-        |scene| scene.cameras[1].rate = -1.0,
+        |scene| *scene.demand(ZHUYI, 1) = f64::NAN,
+        |scene| *scene.demand(OFFLINE, 1) = -1.0,
+        |scene| *scene.demand(IMPORTANCE, 1) = f64::INFINITY,
+        |scene| scene.rates[1] = -1.0,
     ];
     let names = zhuyi_scheduler::NAMES.map(|(name, _)| match name {
         "static:CAMERA=RATE,.." => "static:front=2",
@@ -173,16 +171,7 @@ fn hand_a_situation_without_sense_is_an_error_for_every_policy() {
             let error = scene.rates(&mut *policy(name).unwrap()).unwrap_err();
             assert!(error.to_string().contains("must be"), "{name}: {error}");
         }
-        let situation = Situation {
-            time: 0.0,
-            budget: 10.0,
-            ego_speed: 0.0,
-            cameras: &good.cameras,
-        };
-        let error = policy(name)
-            .unwrap()
-            .decide(&situation, &mut [0.0; 3])
-            .unwrap_err();
+        let error = good.decided(&mut *policy(name).unwrap(), 3).unwrap_err();
         assert_eq!(error.to_string(), "3 places for the rates of 2 cameras");
     }
 }
@@ -236,20 +225,4 @@ fn law_the_search_finds_each_allocation_that_nothing_can_be_added_to() {
         found.sort_by(|a, b| a.partial_cmp(b).unwrap());
         assert_eq!(found, expected, "budget {budget}");
     }
-}
-
-#[test]
-fn hand_demands_of_one_number_are_the_same_for_all_models() {
-    let Demands {
-        zhuyi,
-        phantom,
-        rss,
-        ttc,
-        pylot,
-        offline,
-    } = Demands::all(3.0);
-    assert_eq!(
-        [zhuyi, phantom, rss, ttc, pylot, offline.unwrap()],
-        [3.0; 6]
-    );
 }

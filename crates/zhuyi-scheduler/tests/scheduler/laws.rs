@@ -1,6 +1,6 @@
 //! What every policy and every sharing rule owes, whatever the numbers.
 
-use crate::situation::{Scene, any_budget, any_demand, any_scene};
+use crate::situation::{RIG, Scene, any_budget, any_demand, any_scene};
 use proptest::prelude::*;
 use zhuyi_core::camera::FULL_RATE;
 use zhuyi_scheduler::sharing;
@@ -59,18 +59,14 @@ proptest! {
     #[test]
     fn law_a_policy_does_not_look_at_what_it_says_it_does_not(
         scene in any_scene(),
-        others in prop::collection::vec(any_demand(), 4),
+        other in any_demand(),
     ) {
         for name in plain() {
-            let looks_at = policy(name).unwrap().looks_at();
+            let chosen = policy(name).unwrap();
             let mut changed = scene.clone();
-            for camera in &mut changed.cameras {
-                if !looks_at.phantoms {
-                    camera.demands.phantom = others[0];
-                }
-                if !looks_at.rivals {
-                    let demands = &mut camera.demands;
-                    (demands.rss, demands.ttc, demands.pylot) = (others[1], others[2], others[3]);
+            for series in &mut changed.demands {
+                if !chosen.demand_models().contains(&series.model.as_str()) {
+                    series.of_cameras.fill(other);
                 }
             }
             let rates = |scene: &Scene| scene.rates(&mut *policy(name).unwrap()).unwrap();
@@ -102,11 +98,10 @@ proptest! {
 
     #[test]
     fn law_a_static_allocation_that_fits_is_given_as_it_stands(scene in any_scene(), named in 1_usize..8) {
-        let rates: Vec<f64> = scene.cameras.iter().map(|camera| camera.demands.zhuyi).collect();
-        let rates = sharing::cut(&rates, scene.budget);
+        let rates = sharing::cut(&scene.demands[0].of_cameras, scene.budget);
         let named = named.min(rates.len());
-        let given: Vec<_> = scene.cameras.iter().zip(&rates).take(named).collect();
-        let text: Vec<_> = given.iter().map(|(camera, hz)| format!("{}={hz}", camera.name)).collect();
+        let given = RIG.iter().zip(&rates).take(named);
+        let text: Vec<_> = given.map(|(camera, hz)| format!("{camera}={hz}")).collect();
         let answer = scene.rates(&mut *policy(&format!("static:{}", text.join(","))).unwrap()).unwrap();
         assert_within(&answer, scene.budget, "static")?;
         prop_assert_eq!(&answer[..named], &rates[..named]);

@@ -1,15 +1,22 @@
 //! Situations for the tests.
 
 use proptest::prelude::*;
-use zhuyi_scheduler::{CameraState, Demands, Policy, PolicyError, Situation};
+use zhuyi_core::{Body, Camera, Footprint};
+use zhuyi_scheduler::demands::{IMPORTANCE, OFFLINE, PHANTOM, PYLOT, RSS, TTC, ZHUYI};
+use zhuyi_scheduler::{CameraState, DemandSeries, Policy, PolicyError, Situation};
 
-/// A situation that owns its cameras.
+/// Every demand model of the built-in policies.
+pub const MODELS: [&str; 7] = [ZHUYI, PHANTOM, RSS, TTC, PYLOT, IMPORTANCE, OFFLINE];
+
+/// A situation that owns its cameras and demands.
 #[derive(Clone, Debug)]
 pub struct Scene {
     pub time: f64,
     pub budget: f64,
     pub ego_speed: f64,
-    pub cameras: Vec<CameraState<'static>>,
+    /// [Hz] of each camera.
+    pub rates: Vec<f64>,
+    pub demands: Vec<DemandSeries>,
 }
 
 /// Names of up to eight cameras.
@@ -25,31 +32,55 @@ pub const RIG: [&str; 8] = [
 ];
 
 impl Scene {
-    /// Cameras with these demands by every model, and an importance equal to it.
+    /// Cameras with these demands by every model.
     pub fn asking(demands: &[f64], budget: f64) -> Self {
-        let camera = |(name, demand): (&&'static str, &f64)| CameraState {
-            name,
-            rate: 10.0,
-            demands: Demands::all(*demand),
-            importance: *demand,
-        };
         Self {
             time: 0.0,
             budget,
             ego_speed: 20.0,
-            cameras: RIG.iter().zip(demands).map(camera).collect(),
+            rates: vec![10.0; demands.len()],
+            demands: MODELS
+                .map(|model| DemandSeries::new(model, demands))
+                .to_vec(),
         }
     }
 
-    pub fn rates(&self, policy: &mut dyn Policy) -> Result<Vec<f64>, PolicyError> {
+    /// The demand of a model on a camera.
+    pub fn demand(&mut self, model: &str, camera: usize) -> &mut f64 {
+        let series = self.demands.iter_mut().find(|of| of.model == model);
+        &mut series.expect("one of the models").of_cameras[camera]
+    }
+
+    /// Asks a policy, with room for the rates of so many cameras.
+    pub fn decided(&self, policy: &mut dyn Policy, places: usize) -> Result<Vec<f64>, PolicyError> {
+        let rig = RIG.map(|name| Camera::new(name, 0.0, 2.0, 80.0));
+        let cameras = rig.iter().zip(&self.rates);
+        let cameras: Vec<CameraState<'_>> = cameras
+            .map(|(camera, rate)| CameraState {
+                camera,
+                rate: *rate,
+            })
+            .collect();
+        let car = Footprint {
+            length: 4.5,
+            width: 1.8,
+        };
         let situation = Situation {
+            scenario: "by hand",
+            seed: 0,
             time: self.time,
             budget: self.budget,
-            ego_speed: self.ego_speed,
-            cameras: &self.cameras,
+            ego: &Body::aligned(car, 0.0, 0.0, self.ego_speed),
+            tracks: &[],
+            cameras: &cameras,
+            demands: &self.demands,
         };
-        let mut rates = vec![0.0; self.cameras.len()];
+        let mut rates = vec![0.0; places];
         situation.decided_by(policy, &mut rates).map(|()| rates)
+    }
+
+    pub fn rates(&self, policy: &mut dyn Policy) -> Result<Vec<f64>, PolicyError> {
+        self.decided(policy, self.rates.len())
     }
 }
 
@@ -69,35 +100,22 @@ pub fn any_budget() -> impl Strategy<Value = f64> {
 }
 
 prop_compose! {
-    fn any_camera()(
-        rate in 0.0..30.0_f64,
-        zhuyi in any_demand(),
-        phantom in any_demand(),
-        rss in any_demand(),
-        ttc in any_demand(),
-        pylot in any_demand(),
-        offline in any_demand(),
-        importance in any_demand(),
-    ) -> CameraState<'static> {
-        CameraState {
-            name: "",
-            rate,
-            demands: Demands { zhuyi, phantom, rss, ttc, pylot, offline: Some(offline) },
-            importance,
-        }
-    }
-}
-
-prop_compose! {
     pub fn any_scene()(
         time in 0.0..60.0_f64,
         budget in any_budget(),
         ego_speed in 0.0..40.0_f64,
-        mut cameras in prop::collection::vec(any_camera(), 1..=RIG.len()),
+        cameras in prop::collection::vec((0.0..30.0_f64, prop::array::uniform7(any_demand())), 1..=RIG.len()),
     ) -> Scene {
-        for (camera, name) in cameras.iter_mut().zip(RIG) {
-            camera.name = name;
+        let of_model = |(place, model): (usize, &str)| {
+            let demands: Vec<f64> = cameras.iter().map(|(_, demands)| demands[place]).collect();
+            DemandSeries::new(model, demands)
+        };
+        Scene {
+            time,
+            budget,
+            ego_speed,
+            rates: cameras.iter().map(|(rate, _)| *rate).collect(),
+            demands: MODELS.into_iter().enumerate().map(of_model).collect(),
         }
-        Scene { time, budget, ego_speed, cameras }
     }
 }

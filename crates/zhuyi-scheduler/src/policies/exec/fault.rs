@@ -4,7 +4,7 @@ use std::fmt;
 use std::io;
 use std::process::ExitStatus;
 
-use crate::error::RateLimit;
+use crate::RateLimit;
 
 /// A program that gave no usable answer: which, when, what was wrong, and the line that it wrote, if any.
 #[derive(Debug, thiserror::Error)]
@@ -27,9 +27,6 @@ pub enum Fault {
     /// The shell could not be started.
     #[error("could not be started")]
     Start(#[source] io::Error),
-    /// The question could not be written as JSON.
-    #[error("could not be asked")]
-    Question(#[source] serde_json::Error),
     /// It hangs.
     #[error("has not answered within {limit} s")]
     Silent {

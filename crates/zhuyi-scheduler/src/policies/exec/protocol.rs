@@ -21,7 +21,7 @@
 //!
 //! Numbers are written so that they read back exactly. Left out: the offline demand, which knows the true future.
 
-use crate::Situation;
+use crate::{PolicyError, Situation, demands};
 use serde::{Deserialize, Serialize};
 use zhuyi_core::camera::FULL_RATE;
 
@@ -47,6 +47,16 @@ struct Camera<'a> {
     importance_hz: f64,
 }
 
+/// Ids of the demand models in the line, in the order of its fields.
+pub(super) const MODELS: [&str; 6] = [
+    demands::ZHUYI,
+    demands::PHANTOM,
+    demands::RSS,
+    demands::TTC,
+    demands::PYLOT,
+    demands::IMPORTANCE,
+];
+
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Answer {
@@ -54,25 +64,41 @@ struct Answer {
 }
 
 /// The line for a situation, with its end.
-pub(super) fn question(situation: &Situation<'_>) -> Result<Vec<u8>, serde_json::Error> {
-    let cameras = situation.cameras.iter().map(|camera| Camera {
-        name: camera.name,
-        rate_fps: camera.rate,
-        demand_fps: camera.demands.zhuyi,
-        phantom_fps: camera.demands.phantom,
-        rss_fps: camera.demands.rss,
-        ttc_fps: camera.demands.ttc,
-        pylot_fps: camera.demands.pylot,
-        importance_hz: camera.importance,
+pub(super) fn question(situation: &Situation<'_>) -> Result<Vec<u8>, PolicyError> {
+    let mut by_model = [&[][..]; MODELS.len()];
+    for (demands, model) in by_model.iter_mut().zip(MODELS) {
+        *demands = situation.demands(model)?;
+    }
+    let cameras = situation.cameras.iter().enumerate();
+    let cameras = cameras.map(|(place, state)| {
+        let [
+            demand_fps,
+            phantom_fps,
+            rss_fps,
+            ttc_fps,
+            pylot_fps,
+            importance_hz,
+        ] = by_model.map(|demands| demands[place]);
+        Camera {
+            name: &state.camera.name,
+            rate_fps: state.rate,
+            demand_fps,
+            phantom_fps,
+            rss_fps,
+            ttc_fps,
+            pylot_fps,
+            importance_hz,
+        }
     });
     let mut line = serde_json::to_vec(&Question {
         time_s: situation.time,
         budget_fps: situation.budget,
         floor_fps: situation.floor(),
         cap_fps: FULL_RATE,
-        ego_speed_mps: situation.ego_speed,
+        ego_speed_mps: situation.ego.speed,
         cameras: cameras.collect(),
-    })?;
+    })
+    .map_err(|error| PolicyError::Failed(Box::new(error)))?;
     line.push(b'\n');
     Ok(line)
 }
@@ -85,28 +111,34 @@ pub(super) fn answer(line: &[u8]) -> Result<Vec<f64>, serde_json::Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{CameraState, Demands};
+    use crate::{CameraState, DemandSeries};
+    use zhuyi_core::{Body, Camera, Footprint};
+
+    const CAR: Footprint = Footprint {
+        length: 4.5,
+        width: 1.8,
+    };
 
     #[test]
     fn hand_the_line_is_that_of_the_page_and_keeps_the_true_future_to_itself() {
-        let cameras = [CameraState {
-            name: "front \"120\"",
-            rate: 20.0,
-            demands: Demands {
-                zhuyi: 9.2,
-                phantom: 12.1,
-                rss: 30.0,
-                ttc: 1.0,
-                pylot: 3.1,
-                offline: Some(7.77),
-            },
-            importance: 10.2,
-        }];
+        let camera = Camera::new("front \"120\"", 0.0, 2.0, 80.0);
+        let demands = [9.2, 12.1, 30.0, 1.0, 3.1, 10.2];
+        let series = |(model, demand): (&str, f64)| DemandSeries::new(model, [demand]);
+        let demands = MODELS.into_iter().zip(demands).map(series);
+        let offline = std::iter::once(DemandSeries::new(demands::OFFLINE, [7.77]));
+        let demands: Vec<DemandSeries> = demands.chain(offline).collect();
         let line = question(&Situation {
+            scenario: "cut-in",
+            seed: 0,
             time: 1.2,
             budget: 60.0,
-            ego_speed: 17.9,
-            cameras: &cameras,
+            ego: &Body::aligned(CAR, 0.0, 0.0, 17.9),
+            tracks: &[],
+            cameras: &[CameraState {
+                camera: &camera,
+                rate: 20.0,
+            }],
+            demands: &demands,
         });
         let expected = concat!(
             r#"{"time_s":1.2,"budget_fps":60.0,"floor_fps":1.0,"cap_fps":30.0,"ego_speed_mps":17.9,"cameras":["#,
