@@ -1,4 +1,4 @@
-//! The arrows between the crates are those of docs/architecture.md.
+//! The arrows between the crates, and the stages that a user may replace, are those of docs/architecture.md.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -38,7 +38,7 @@ fn manifests() -> BTreeMap<String, BTreeSet<String>> {
 fn table() -> BTreeMap<String, BTreeSet<String>> {
     let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/architecture.md");
     let page = fs::read_to_string(page).expect("docs/architecture.md");
-    let page = page.split("\n## Circles\n").next().unwrap_or_default();
+    let page = page.split("\n## Stages\n").next().unwrap_or_default();
     let rows = page.lines().filter(|line| line.starts_with("| `zhuyi"));
     rows.map(|row| {
         let cells: Vec<_> = row.split('|').map(str::trim).collect();
@@ -75,4 +75,42 @@ fn law_the_stages_do_not_know_each_other_and_the_estimator_knows_the_nouns_alone
         );
     }
     assert!(arrows["zhuyi-core"].is_empty());
+}
+
+/// Every trait of the stages has a row with the method that takes another one and an implementation outside of at most 60 lines.
+#[test]
+fn law_the_stages_are_those_of_the_page() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let read = |path: &str| fs::read_to_string(root.join(path)).expect("a file of the repository");
+    let page = read("docs/architecture.md");
+    let section = page.split("\n## Stages\n").nth(1).expect("a section");
+    let section = section.split("\n## ").next().unwrap_or_default();
+    let rows = section.lines().filter(|line| line.starts_with("| `"));
+    let mut named = BTreeSet::new();
+    for row in rows {
+        let cells: Vec<&str> = row.split('|').map(str::trim).collect();
+        let [name, methods, outside] = [cells[1], cells[4], cells[5]];
+        let name = name.trim_matches('`');
+        named.insert(name.to_string());
+        for method in methods.split(", ").map(|method| method.trim_matches('`')) {
+            let spec = read("crates/zhuyi-sim/src/spec.rs");
+            assert!(spec.contains(&format!("pub fn {method}")), "{row}");
+        }
+        if let Some(link) = outside.split(['(', ')']).nth(1) {
+            let text = read(link.trim_start_matches("../"));
+            assert!(text.contains(&format!("impl {name} for ")), "{row}");
+            assert!(text.lines().count() <= 60, "{row}");
+        }
+    }
+    let stages = fs::read_dir(root.join("crates/zhuyi-core/src/stages")).expect("a folder");
+    let mut traits = BTreeSet::from(["SafetyModel".to_string()]);
+    for entry in stages {
+        let text = fs::read_to_string(entry.expect("a file").path()).expect("text");
+        let lines = text
+            .lines()
+            .filter_map(|line| line.strip_prefix("pub trait "));
+        let names = lines.map(|line| line.split([':', ' ']).next().unwrap_or_default());
+        traits.extend(names.filter(|name| *name != "Truth").map(String::from));
+    }
+    assert_eq!(named, traits);
 }

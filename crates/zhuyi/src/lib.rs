@@ -44,7 +44,7 @@
 //! | to | module |
 //! |---|---|
 //! | embed the estimator in a stack of one's own | [`estimator`], [`estimator::Estimator::moment`] |
-//! | write a policy | [`scheduler`], [`scheduler::Policy`] |
+//! | replace a stage: sensor, tracker, predictor, planner, policy, safety model; or watch a run | [`stages`], [`sim::RunSpec`] |
 //! | read and write scenario files | [`scenario`] |
 //! | run a scenario step by step or as a whole | [`sim`] |
 //! | evaluate a recording | [`log`] |
@@ -54,6 +54,7 @@
 //! | use the nouns: road, body, track, forecast, command | [`core`] |
 
 pub use zhuyi_core as core;
+pub use zhuyi_core::stages;
 pub use zhuyi_estimator as estimator;
 pub use zhuyi_lab as lab;
 pub use zhuyi_log as log;
@@ -69,11 +70,13 @@ pub use zhuyi_world as world;
 /// Types and functions that most programs need.
 pub mod prelude {
     pub use zhuyi_core::{
-        ActorId, Body, CameraId, Command, Footprint, Forecast, Frame, FrameRates, Frenet, Lane,
-        Pose, Road, Scene, Segment, SimTime, Track,
+        ActorId, Body, Camera, CameraId, Command, Detection, Footprint, Forecast, Frame,
+        FrameRates, Frenet, Lane, Manoeuvre, Pose, Road, Scene, Segment, SimTime, Track,
     };
-    pub use zhuyi_estimator::{Demand, Ego, Estimate, Estimator, Future, Params, Watch};
-    pub use zhuyi_scenario::{Scenario, Setting, Source, System, embedded};
+    pub use zhuyi_estimator::{
+        Demand, Ego, Estimate, Estimator, Future, Params, SafetyModel, Watch,
+    };
+    pub use zhuyi_scenario::{Scenario, Setting, Source, System, embedded, load};
     pub use zhuyi_scheduler::{CameraState, DemandSeries, Policy, PolicyError, Situation, policy};
     pub use zhuyi_sim::{
         Action, Hindsight, Outcome, Peaks, RunRecord, RunSpec, Setup, Simulation, Trace,

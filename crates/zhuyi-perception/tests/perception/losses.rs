@@ -2,7 +2,7 @@
 
 use crate::rig::{FRONT, World, body, draws, eye, millis, perception, scene};
 use zhuyi_core::{CameraId, Frame, FrameRates, SimTime};
-use zhuyi_perception::{Errors, Eye, Eyes, Perception};
+use zhuyi_perception::{Errors, Eye, Eyes, OwnErrors, Perception};
 
 /// A rig of two cameras, the first with a latency of 20 ms.
 fn rig() -> Perception {
@@ -191,4 +191,27 @@ fn hand_where_others_know_the_latency_only_jitter_is_left_of_it() {
     let late = ready(&jittered(0.05));
     assert!(late.len() == 20 && late.iter().all(|late| (0..50_000_000).contains(late)));
     assert!(late.iter().any(|late| *late > 25_000_000));
+}
+
+#[test]
+fn hand_a_camera_with_errors_of_its_own_leaves_the_others_as_they_are() {
+    // Two cameras at 10 Hz see the same car; the second misses it always, and loses half of its frames.
+    let mut params = rig();
+    params.eyes[1].own = OwnErrors {
+        miss_rate: Some(1.0),
+        drop_rate: Some(0.5),
+        ..OwnErrors::default()
+    };
+    let (usual, _) = seen(&rig(), [10.0, 10.0]);
+    let (own, eyes) = seen(&params, [10.0, 10.0]);
+    let of = |frames: &[Frame], camera: u8| -> Vec<Frame> {
+        let camera = CameraId(camera);
+        let frames = frames.iter().filter(|frame| frame.camera == camera);
+        frames.cloned().collect()
+    };
+    assert_eq!(of(&usual, 0), of(&own, 0));
+    assert!(of(&own, 1).iter().all(|frame| frame.detections.is_empty()));
+    let lost = eyes.frames_lost(CameraId(1)) as f64 / eyes.frames_exposed(CameraId(1)) as f64;
+    assert!((0.3..0.7).contains(&lost), "{lost}");
+    assert_eq!(eyes.frames_lost(CameraId(0)), 0);
 }

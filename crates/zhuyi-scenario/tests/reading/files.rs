@@ -119,6 +119,13 @@ fn law_shown_reads_back_equal_with_every_variant_and_odd_numbers() {
         "perception.phase_shift=0.125",
         "perception.cameras.rear.phase_share=0.5",
         "perception.cameras.rear.rate_hz=12.5",
+        "perception.cameras.rear.noise_along_m=0.11",
+        "perception.cameras.rear.noise_across_m=0.22",
+        "perception.cameras.rear.noise_speed_mps=0.33",
+        "perception.cameras.rear.noise_heading_rad=0.044",
+        "perception.cameras.rear.miss_rate=0.055",
+        "perception.cameras.rear.latency_jitter_ms=6.6",
+        "perception.cameras.rear.drop_rate=0.077",
         "vehicle.max_steering_deg=33.3",
     ];
     let settings = arguments.map(|argument| Setting::parse(argument).unwrap());

@@ -1,6 +1,7 @@
 //! `path=value`: values from elsewhere pass the same checks, and what is wrong with them is shown in their own text.
 
 use crate::texts::{SCENARIO, SYSTEM};
+use zhuyi_core::CameraId;
 use zhuyi_estimator::Aggregation;
 use zhuyi_scenario::{Invalid, Kind, Scenario, Setting, Source, System, load};
 use zhuyi_world::script::{Action, Behaviour, Place};
@@ -54,6 +55,32 @@ fn hand_settings_change_what_they_name_and_nothing_else() {
     system.perception.eyes[1].camera.fov = std::f64::consts::FRAC_PI_2;
     system.estimator.aggregation = Aggregation::Percentile(0.5);
     assert_eq!(changed.unwrap(), (scenario, system));
+}
+
+#[test]
+fn hand_the_errors_of_the_rig_are_those_of_every_camera_that_has_none_of_its_own() {
+    let (_, usual) = read(&["perception.noise_along_m=0.2", "perception.miss_rate=0.1"]).unwrap();
+    let (_, own) = read(&[
+        "perception.noise_along_m=0.2",
+        "perception.miss_rate=0.1",
+        "perception.cameras.rear.noise_along_m=0.5",
+        "perception.cameras.rear.latency_jitter_ms=20",
+        "perception.cameras.rear.drop_rate=0.25",
+    ])
+    .unwrap();
+    let of = |system: &System, camera: u8| system.perception.errors_of(CameraId(camera));
+    assert_eq!(of(&usual, 0).noise_along, 0.2);
+    assert_eq!(of(&usual, 0), of(&usual, 1));
+    assert_eq!(of(&own, 0), of(&usual, 0));
+    let mut rear = of(&usual, 1);
+    (rear.noise_along, rear.latency_jitter, rear.drop_rate) = (0.5, 0.02, 0.25);
+    assert_eq!(of(&own, 1), rear);
+    // The same limits, and the same words, as for the rig.
+    let refused = drawn("perception.cameras.rear.drop_rate=1.5");
+    assert!(
+        refused.contains("`drop_rate` must be 0 to 1, got 1.5"),
+        "{refused}"
+    );
 }
 
 #[test]
