@@ -13,10 +13,10 @@
 use std::hint::black_box;
 
 use rayon::ThreadPoolBuilder;
+use zhuyi_batch::schema::SCHEMA;
+use zhuyi_batch::{Batch, Named, Plan};
 use zhuyi_core::FrameRates;
 use zhuyi_estimator::Estimator;
-use zhuyi_lab::batch::{Batch, Named, Plan};
-use zhuyi_lab::schema::SCHEMA;
 use zhuyi_scenario::{Scenario, Source, System, embedded, load};
 use zhuyi_sim::{Hindsight, RunRecord, RunSpec, STEP, Simulation};
 

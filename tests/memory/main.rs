@@ -7,8 +7,8 @@
 use std::fs;
 use std::time::Instant;
 
-use zhuyi_lab::batch::{Batch, Folder, Named, Plan, Shard};
-use zhuyi_lab::schema::SCHEMA;
+use zhuyi_batch::schema::SCHEMA;
+use zhuyi_batch::{Batch, Folder, Named, Plan, Shard};
 use zhuyi_scenario::{Setting, Source, System, embedded};
 
 /// [KiB] what may be added.

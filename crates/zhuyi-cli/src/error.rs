@@ -4,8 +4,8 @@ use std::error::Error as _;
 use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
 
-use zhuyi_lab::LabError;
-use zhuyi_lab::batch::BatchError;
+use zhuyi_batch::BatchError;
+use zhuyi_batch::LabError;
 
 use crate::problems::Problems;
 

@@ -4,10 +4,10 @@ use std::io;
 use std::path::PathBuf;
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
-use zhuyi_lab::committed::CommittedError;
 use zhuyi_scenario::{Invalid, Scenario, System, Violation};
 use zhuyi_sim::Draws;
 use zhuyi_sim::starts::{Crowded, starts};
+use zhuyi_studies::committed::CommittedError;
 
 use crate::argument::Misreading;
 use crate::error::Error;

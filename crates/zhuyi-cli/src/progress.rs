@@ -1,7 +1,7 @@
 //! Progress on standard error, with the time left; nothing where that is no terminal.
 
 use indicatif::{ProgressBar, ProgressStyle};
-use zhuyi_lab::Progress;
+use zhuyi_batch::Progress;
 
 /// A bar for a long command.
 #[derive(Debug)]

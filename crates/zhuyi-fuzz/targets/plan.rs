@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use zhuyi_lab::batch::Plan;
+use zhuyi_batch::Plan;
 
 fuzz_target!(|input: &str| {
     let (plan, table) = input.split_once("\n---\n").unwrap_or((input, ""));

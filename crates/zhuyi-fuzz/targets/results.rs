@@ -3,8 +3,8 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use zhuyi_lab::committed::Content;
-use zhuyi_lab::diff::Changes;
+use zhuyi_studies::committed::Content;
+use zhuyi_batch::diff::Changes;
 use zhuyi_report::sweep::table::Table;
 use zhuyi_report::sweep::{document, worst};
 

@@ -2,8 +2,8 @@
 
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
-use zhuyi_lab::allocate::Feedback;
-use zhuyi_lab::beyond::{Comparison, Line};
+use zhuyi_studies::allocate::Feedback;
+use zhuyi_studies::beyond::{Comparison, Line};
 
 use crate::palette::{GREY, LINES};
 
@@ -161,7 +161,7 @@ fn corners(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::{corners, figure, window};
-    use zhuyi_lab::beyond::{Comparison, Line};
+    use zhuyi_studies::beyond::{Comparison, Line};
 
     fn line(fpr: &[f64]) -> Line {
         let points = fpr.iter().enumerate();

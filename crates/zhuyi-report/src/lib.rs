@@ -1,8 +1,8 @@
 //! What people look at: figures, as the text of an SVG file, and reports, as the text of an HTML file.
 //!
 //! ```text
-//!  zhuyi-lab ── Comparison ──▶ [demand] ──▶ figures/beyond-phantom.svg ..
-//!  zhuyi-lab ── Course, Map, .. ──▶ [plots] ──▶ figures/sensitivity.svg, .csv ..
+//!  zhuyi-studies ── Comparison ──▶ [demand] ──▶ figures/beyond-phantom.svg ..
+//!  zhuyi-studies ── Course, Map, .. ──▶ [plots] ──▶ figures/sensitivity.svg, .csv ..
 //!  zhuyi-sim ── Run, Witness ──▶ [drive] ── Document ──▶ [page] ──▶ report.html
 //!  zhuyi-log ── Log ──▶ [recording] ── Document ──▶ [page]
 //!  runs.csv ──▶ [sweep] ── Document, with the Documents of the worst runs ──▶ [page]

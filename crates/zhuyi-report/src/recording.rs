@@ -13,10 +13,10 @@ use serde_json::{Value, json};
 use zhuyi_core::{ActorId, Body as Truth, Footprint, FrameRates, Pose};
 use zhuyi_estimator::criticality::Approach;
 use zhuyi_estimator::{Demand, Estimator, Future, Watch};
-use zhuyi_lab::compare::models::Panel;
 use zhuyi_log::{Log, Moment, Replay, evaluate};
 use zhuyi_perception::View;
 use zhuyi_scenario::System;
+use zhuyi_studies::compare::models::Panel;
 
 use crate::drive::column::{Steps, Track};
 use crate::drive::columns::{LONGEST_TTC, most_demanding};

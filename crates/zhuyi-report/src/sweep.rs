@@ -11,7 +11,7 @@
 pub mod table;
 
 use serde::Serialize;
-use zhuyi_lab::mrf::{Required, required};
+use zhuyi_batch::mrf::{Required, required};
 
 use crate::drive::document::Document as Drive;
 use table::{Row, Table};

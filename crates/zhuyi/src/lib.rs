@@ -48,15 +48,16 @@
 //! | read and write scenario files | [`scenario`] |
 //! | run a scenario step by step or as a whole | [`sim`] |
 //! | evaluate a recording | [`log`] |
-//! | run sweeps, find minimum required rates, make the paper's table | [`lab`] |
+//! | run sweeps, find minimum required rates | [`batch`] |
+//! | make the paper's table, compare policies and models | [`studies`] |
 //! | draw figures and reports | [`report`] |
 //! | look at the stages | [`world`], [`perception`], [`prediction`], [`planner`] |
 //! | use the nouns: road, body, track, forecast, command | [`core`] |
 
+pub use zhuyi_batch as batch;
 pub use zhuyi_core as core;
 pub use zhuyi_core::stages;
 pub use zhuyi_estimator as estimator;
-pub use zhuyi_lab as lab;
 pub use zhuyi_log as log;
 pub use zhuyi_perception as perception;
 pub use zhuyi_planner as planner;
@@ -65,6 +66,7 @@ pub use zhuyi_report as report;
 pub use zhuyi_scenario as scenario;
 pub use zhuyi_scheduler as scheduler;
 pub use zhuyi_sim as sim;
+pub use zhuyi_studies as studies;
 pub use zhuyi_world as world;
 
 /// Types and functions that most programs need.

@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use zhuyi_lab::allocate::{BEST_STATIC, all_policies};
-use zhuyi_lab::{Allocating, Budgets, allocate};
 use zhuyi_report::feedback;
 use zhuyi_scenario::{System, embedded};
+use zhuyi_studies::allocate::{BEST_STATIC, all_policies};
+use zhuyi_studies::{Allocating, Budgets, allocate};
 
 use super::delivery::{self, Place};
 use super::grid::seed_count;

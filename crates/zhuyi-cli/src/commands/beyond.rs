@@ -1,8 +1,9 @@
 //! `zhuyi beyond`: what the estimator's options beyond the paper change.
 
 use clap::Args;
-use zhuyi_lab::{Plan, Progress, Results, beyond};
+use zhuyi_batch::{Progress, Results};
 use zhuyi_report::figures;
+use zhuyi_studies::{Plan, beyond};
 
 use super::{Task, delivery};
 use crate::answer::Answer;

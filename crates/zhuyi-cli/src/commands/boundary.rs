@@ -1,7 +1,7 @@
 //! `zhuyi boundary`: the minimum required rate over a free choice.
 
 use clap::Args;
-use zhuyi_lab::boundary::{Boundary as Plan, boundary};
+use zhuyi_studies::boundary::{Boundary as Plan, boundary};
 
 use super::choices::{self, Meant};
 use super::{Task, delivery};

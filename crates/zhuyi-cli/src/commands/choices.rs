@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use zhuyi_lab::choice::{Bench, Choice, Chosen, Refusal, Refused};
+use zhuyi_batch::choice::{Bench, Choice, Chosen, Refusal, Refused};
 use zhuyi_scenario::embedded;
 
 use super::delivery::Place;

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use zhuyi_lab::{Comparison, compare};
 use zhuyi_scenario::embedded;
+use zhuyi_studies::{Comparison, compare};
 
 use super::Task;
 use super::delivery::{self, Place};

@@ -4,7 +4,8 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use zhuyi_lab::{Plan, Progress, Results, prepare};
+use zhuyi_batch::{Progress, Results, prepare};
+use zhuyi_studies::Plan;
 
 use super::grid::seed_count;
 use crate::answer::Answer;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use zhuyi_lab::diff::diff;
+use zhuyi_batch::diff::diff;
 
 use super::Task;
 use crate::answer::Answer;

@@ -3,12 +3,13 @@
 use clap::Args;
 use std::path::PathBuf;
 
+use zhuyi_batch::Results;
 use zhuyi_estimator::Estimator;
-use zhuyi_lab::committed::{CommittedError, Slowest, Spent, TableRow, slowest, spent, table};
-use zhuyi_lab::course::SHOWN;
-use zhuyi_lab::foresight::Foresight;
-use zhuyi_lab::{Plan, Results, course, foresight, sensitivity};
 use zhuyi_report::plots::{self, File};
+use zhuyi_studies::committed::{CommittedError, Slowest, Spent, TableRow, slowest, spent, table};
+use zhuyi_studies::course::SHOWN;
+use zhuyi_studies::foresight::Foresight;
+use zhuyi_studies::{Plan, course, foresight, sensitivity};
 
 use super::Task;
 use super::delivery::Place;

@@ -1,10 +1,10 @@
 //! What `sweep` and `mrf` have in common: scenarios, the same rate on all cameras, seeds.
 
 use clap::Args;
-use zhuyi_lab::mrf::{Required, required, told};
-use zhuyi_lab::runs::Typed;
-use zhuyi_lab::statistics::bound_without_event;
-use zhuyi_lab::sweep::Experiment;
+use zhuyi_batch::mrf::{Required, required, told};
+use zhuyi_batch::runs::Typed;
+use zhuyi_batch::statistics::bound_without_event;
+use zhuyi_batch::sweep::Experiment;
 use zhuyi_scenario::{Scenario, System};
 
 use super::run::seed;

@@ -1,10 +1,10 @@
 //! `zhuyi map`: the share of collisions over the frame rate and another factor.
 
 use clap::Args;
-use zhuyi_lab::maps::{Map as Mapped, Mapping, csv, maps, page};
-use zhuyi_lab::shares::{Stop, Trials};
-use zhuyi_lab::{Progress, Results};
+use zhuyi_batch::shares::{Stop, Trials};
+use zhuyi_batch::{Progress, Results};
 use zhuyi_report::plots;
+use zhuyi_studies::maps::{Map as Mapped, Mapping, csv, maps, page};
 
 use super::choices::{self, Meant};
 use super::{Task, delivery};

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use zhuyi_lab::batch;
 
 use super::Task;
 use super::sweep::{Told, parquet};
@@ -52,9 +51,10 @@ impl Arguments {
 impl Task for Merge {
     fn run(self: Box<Self>) -> Result<Answer, Error> {
         let mut told = Told::default();
-        let plan = batch::merge(&self.dirs, &self.out, &mut |plan, run, made, manoeuvres| {
-            told.add(plan, run, made, manoeuvres);
-        })?;
+        let plan =
+            zhuyi_batch::merge(&self.dirs, &self.out, &mut |plan, run, made, manoeuvres| {
+                told.add(plan, run, made, manoeuvres);
+            })?;
         if let Some(write) = self.parquet {
             write(&self.out)?;
         }

@@ -1,7 +1,7 @@
 //! `zhuyi reproduce`: the paper's table, ours beside the published one.
 
 use clap::Args;
-use zhuyi_lab::reproduce;
+use zhuyi_studies::reproduce;
 
 use super::{Task, delivery};
 use crate::answer::Answer;

@@ -1,7 +1,7 @@
 //! `zhuyi robustness`: how the minimum required rates move with what was chosen.
 
 use clap::Args;
-use zhuyi_lab::robustness;
+use zhuyi_studies::robustness;
 
 use super::{Task, delivery};
 use crate::answer::Answer;

@@ -7,9 +7,10 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use serde_json::Value;
-use zhuyi_lab::columns::Table;
-use zhuyi_lab::{batch, manifest, runs};
+use zhuyi_batch::columns::Table;
+use zhuyi_batch::{plan, runs, table};
 use zhuyi_scenario::{System, did_you_mean};
+use zhuyi_studies::manifest;
 
 use super::explain::document::Explanation;
 use super::run::summary::Summary;
@@ -58,22 +59,22 @@ type Document = (&'static str, &'static str, fn() -> Value);
 /// All documents.
 const DOCUMENTS: [Document; 5] = [
     ("run", "zhuyi run --json: one drive", || {
-        zhuyi_lab::schema::document::<Summary>("run", VERSION)
+        zhuyi_batch::schema::document::<Summary>("run", VERSION)
     }),
     (
         "explain",
         "zhuyi explain --json: why a drive collided",
-        || zhuyi_lab::schema::document::<Explanation>("explain", VERSION),
+        || zhuyi_batch::schema::document::<Explanation>("explain", VERSION),
     ),
     (
         "mrf",
         "zhuyi mrf --json: minimum required rates, and what they rest on",
-        || zhuyi_lab::schema::document::<mrf::document::Document>("mrf", VERSION),
+        || zhuyi_batch::schema::document::<mrf::document::Document>("mrf", VERSION),
     ),
     (
         "plan",
         "plan.json of zhuyi sweep and merge: which runs",
-        batch::schema,
+        plan::schema,
     ),
     (
         "manifest",
@@ -127,7 +128,7 @@ impl Task for Schema {
         let schema = match *self {
             Self::List => return Ok(Answer::new(list())),
             Self::Of(schema) => schema,
-            Self::Folder(dir) => batch::table(&dir)?.schema(),
+            Self::Folder(dir) => table::table(&dir)?.schema(),
         };
         Ok(Answer::new(format!("{schema:#}\n")))
     }

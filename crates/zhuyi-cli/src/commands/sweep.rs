@@ -4,9 +4,9 @@ use std::path::PathBuf;
 use std::thread::{self, ScopedJoinHandle};
 
 use clap::Args;
-use zhuyi_lab::Progress;
-use zhuyi_lab::batch::{Batch, BatchError, Folder, Named, Plan, Shard};
-use zhuyi_lab::schema::SCHEMA;
+use zhuyi_batch::Progress;
+use zhuyi_batch::schema::SCHEMA;
+use zhuyi_batch::{Batch, BatchError, Folder, Named, Plan, Shard};
 use zhuyi_scenario::{Rule, Setting, load};
 
 use super::{Task, grid};

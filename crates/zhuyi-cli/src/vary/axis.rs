@@ -4,7 +4,7 @@
 //! `estimator.grid=[Ms33,Fps]` are these values, as a file spells them; `planner.min_gap_m=uniform(2,4)` and
 //! `normal(3,0.5)` draw them.
 
-use zhuyi_lab::batch::Distribution;
+use zhuyi_batch::Distribution;
 
 use super::typed::{Spec, Typed};
 use crate::argument::Argument;

@@ -8,8 +8,8 @@ mod constraint;
 mod typed;
 
 use clap::Args;
-use zhuyi_lab::batch::{Distribution, Sampling, samples};
-use zhuyi_lab::choice::{Choice, is_named};
+use zhuyi_batch::choice::{Choice, is_named};
+use zhuyi_batch::{Distribution, Sampling, samples};
 use zhuyi_scenario::{Plan, did_you_mean};
 
 use crate::argument::Argument;

@@ -5,10 +5,10 @@ use zhuyi_core::approach::time_to_collision;
 use zhuyi_core::boxes::{distance, swept_gap};
 use zhuyi_core::{ActorId, FrameRates, LaneFrame};
 use zhuyi_estimator::{Demand, Estimate, Estimator};
-use zhuyi_lab::compare::models::Panel;
 use zhuyi_perception::View;
 use zhuyi_sim::Hindsight;
 use zhuyi_sim::trace::Row;
+use zhuyi_studies::compare::models::Panel;
 
 use super::Drive;
 use super::column::{Steps, Track};

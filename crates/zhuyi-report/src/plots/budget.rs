@@ -5,7 +5,7 @@
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
-use zhuyi_lab::committed::Spent;
+use zhuyi_studies::committed::Spent;
 
 use super::File;
 use super::sheet::{

@@ -2,8 +2,8 @@
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
-use zhuyi_lab::committed::TableRow;
-use zhuyi_lab::paper::RATES;
+use zhuyi_studies::committed::TableRow;
+use zhuyi_studies::paper::RATES;
 
 use super::File;
 use super::sheet::{

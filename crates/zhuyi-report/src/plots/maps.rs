@@ -5,8 +5,8 @@
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
-use zhuyi_lab::maps::{Map, Row};
-use zhuyi_lab::shares::Share;
+use zhuyi_batch::shares::Share;
+use zhuyi_studies::maps::{Map, Row};
 
 use super::sheet::{AXIS, Area, Failure, NOTE, TITLE, font, letters, svg};
 use crate::palette::{BLACK, RAMP, VERMILION};

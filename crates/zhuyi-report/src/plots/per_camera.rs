@@ -5,7 +5,7 @@
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
-use zhuyi_lab::committed::Slowest;
+use zhuyi_studies::committed::Slowest;
 
 use super::File;
 use super::sheet::{

@@ -6,8 +6,8 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
+use zhuyi_batch::rates::spelt;
 use zhuyi_core::FrameRates;
-use zhuyi_lab::rates::spelt;
 use zhuyi_scenario::System;
 use zhuyi_scheduler::Compute;
 

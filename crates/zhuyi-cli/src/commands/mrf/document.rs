@@ -4,9 +4,9 @@
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use zhuyi_lab::manoeuvres::never;
-use zhuyi_lab::shares::{Confident, MoreFrames, Share, Stop, began};
-use zhuyi_lab::sweep::{Cell, uniform};
+use zhuyi_batch::manoeuvres::never;
+use zhuyi_batch::shares::{Confident, MoreFrames, Share, Stop, began};
+use zhuyi_batch::sweep::{Cell, uniform};
 
 use super::uniform::Search;
 use crate::shell;

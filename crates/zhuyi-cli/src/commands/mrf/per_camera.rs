@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use zhuyi_lab::per_camera::{Combinations, PerCamera, analysed, per_camera};
 use zhuyi_scenario::{did_you_mean, embedded};
+use zhuyi_studies::per_camera::{Combinations, PerCamera, analysed, per_camera};
 
 use crate::answer::Answer;
 use crate::argument::Argument;

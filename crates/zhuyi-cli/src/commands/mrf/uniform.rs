@@ -1,10 +1,10 @@
 //! `zhuyi mrf` with the same rate on all cameras.
 
 use clap::Args;
-use zhuyi_lab::Progress;
-use zhuyi_lab::manoeuvres::{never, note};
-use zhuyi_lab::mrf::{Mrf, required};
-use zhuyi_lab::shares::{Confident, Contacts, MoreFrames, Share, Stop, Trials, began};
+use zhuyi_batch::Progress;
+use zhuyi_batch::manoeuvres::{never, note};
+use zhuyi_batch::mrf::{Mrf, required};
+use zhuyi_batch::shares::{Confident, Contacts, MoreFrames, Share, Stop, Trials, began};
 
 use super::document::Document;
 use crate::answer::Answer;

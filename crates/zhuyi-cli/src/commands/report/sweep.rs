@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use clap::Parser;
-use zhuyi_lab::Progress;
+use zhuyi_batch::Progress;
 use zhuyi_report::drive::document::Document;
 use zhuyi_report::sweep::table::{Row, Table};
 use zhuyi_report::sweep::{Shown, Worst, document, worst};

@@ -6,7 +6,7 @@
 //! | `column` | type | unit | meaning |
 //! ```
 
-use zhuyi_lab::columns::{Column, Kind, Table};
+use zhuyi_batch::columns::{Column, Kind, Table};
 
 /// The page.
 const PAGE: &str = include_str!("columns.md");

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use zhuyi_lab::batch::BatchError;
+use zhuyi_batch::BatchError;
 
 use crate::argument::Argument;
 use crate::fault::Fault;
@@ -12,7 +12,7 @@ use crate::problems::Problems;
 pub type Write = fn(&Path) -> Result<(), BatchError>;
 
 #[cfg(feature = "parquet")]
-const WRITE: Option<Write> = Some(zhuyi_lab::batch::parquet::write);
+const WRITE: Option<Write> = Some(zhuyi_batch::parquet::write);
 #[cfg(not(feature = "parquet"))]
 const WRITE: Option<Write> = None;
 

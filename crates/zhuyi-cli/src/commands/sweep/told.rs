@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use zhuyi_lab::batch::{Made, Plan, Run};
-use zhuyi_lab::manoeuvres::{Seen, note};
+use zhuyi_batch::manoeuvres::{Seen, note};
+use zhuyi_batch::{Made, Plan, Run};
 
 use super::super::grid::{REQUIRED, legend, required_cells};
 use crate::tables::table;
