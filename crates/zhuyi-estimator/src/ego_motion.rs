@@ -19,7 +19,7 @@
 //! Source: paper, "Estimating Tolerable Latency Per Actor"; the paper prints K (l - l_0) without the max, which
 //! makes t_r negative below l_0. Left out: a limit on a_b, jerk and actuator lag. A vehicle never reverses.
 
-use crate::quadratic::Quadratic;
+use zhuyi_core::quadratic::Quadratic;
 
 /// [s] t_r, from the exposure of the first frame to the braking, at `latency` while the camera now runs at
 /// `current_latency`.

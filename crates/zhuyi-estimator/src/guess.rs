@@ -9,7 +9,7 @@
 //! ```
 
 use crate::encounter::Encounter;
-use crate::quadratic::Quadratic;
+use zhuyi_core::quadratic::Quadratic;
 
 /// [m/s] below it an actor at the end of its list stands.
 const STANDING: f64 = 1.0;

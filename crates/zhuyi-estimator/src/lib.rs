@@ -74,8 +74,6 @@ mod guess;
 mod judge;
 mod lines;
 mod proof;
-mod quadratic;
-mod room;
 mod stretch;
 mod swing;
 mod walk;

@@ -7,9 +7,9 @@
 
 use crate::constraints::TOLERANCE;
 use crate::ego_motion::Phase;
-use crate::quadratic::Quadratic;
 use crate::recording::AlongBlock;
 use zhuyi_core::Along;
+use zhuyi_core::quadratic::Quadratic;
 
 /// What time and place are counted from.
 #[derive(Clone, Copy, Debug)]

@@ -8,10 +8,10 @@
 use crate::constraints::TOLERANCE;
 use crate::ego_motion::Phase;
 use crate::encounter::{Ask, Candidate, Encounter, Verdict, parts};
-use crate::quadratic::Quadratic;
 use crate::recording::{ALONG_BLOCKS, AlongBlock};
 use crate::stretch::{Datum, Stretch};
 use zhuyi_core::Along;
+use zhuyi_core::quadratic::Quadratic;
 
 /// Pieces in the finest blocks.
 const FINEST: usize = ALONG_BLOCKS[ALONG_BLOCKS.len() - 1];

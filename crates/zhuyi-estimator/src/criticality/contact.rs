@@ -12,8 +12,8 @@
 
 use super::Approach;
 use crate::ego_motion::{EgoMotion, Phase, Start};
-use crate::quadratic::Quadratic;
 use zhuyi_core::approach::LEAST_CLOSING_SPEED;
+use zhuyi_core::quadratic::Quadratic;
 
 impl Approach {
     /// [s] time to collision with both accelerations held, each until its vehicle stands; None if there is none, or where

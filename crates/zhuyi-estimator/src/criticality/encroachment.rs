@@ -20,10 +20,10 @@
 //! lateral margin of the corridor plays no part: what never overlaps shares nothing.
 
 use crate::ego_motion::{EgoMotion, Start};
-use crate::quadratic::Quadratic;
-use crate::room::{Room, with_room};
 use crate::{Ego, Future};
 use zhuyi_core::approach::LEAST_CLOSING_SPEED;
+use zhuyi_core::quadratic::Quadratic;
+use zhuyi_core::room::{Room, with_room};
 use zhuyi_core::{Extent, Footprint};
 
 /// [s] the post-encroachment time; 0 for a collision, None if no place is shared.

@@ -4,12 +4,12 @@
 //! offsets of the actor's sides are lines; so the times at which the actor overlaps the strip and the first contact or the first t_n
 //! in them are roots. Written plainly: every reaction time is judged by itself.
 
+use zhuyi_core::room::{Room, with_room};
 use zhuyi_core::{Extent, Footprint, LaneChange};
 
 use super::Evasion;
 use crate::ego_motion::{EgoMotion, Start};
 use crate::encounter::Delay;
-use crate::room::{Room, with_room};
 use crate::stretch::{Datum, Stretch};
 use crate::swing::{Swing, stand};
 use crate::{Ego, Future, Params};

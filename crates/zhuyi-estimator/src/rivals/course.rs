@@ -21,7 +21,7 @@
 
 use crate::Reaction;
 use crate::ego_motion::Start;
-use crate::quadratic::Quadratic;
+use zhuyi_core::quadratic::Quadratic;
 
 /// [s] how far ahead a contact counts (as reading R8).
 pub(super) const HORIZON: f64 = 20.0;

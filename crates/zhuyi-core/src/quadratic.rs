@@ -1,23 +1,30 @@
 //! The first root of a quadratic in a window, without cancellation.
 //!
-//! Both solvers ask two questions of a quadratic `p(x) = c0 + c1 x + c2 x^2` on `[0, end]`: when is it first at
+//! Solvers ask two questions of a quadratic `p(x) = c0 + c1 x + c2 x^2` on `[0, end]`: when is it first at
 //! least zero (a constraint becomes met), and when does it first fall below zero (contact). A root is computed as
 //! `2 c0 / (-c1 + sqrt(c1^2 - 4 c0 c2))` or by the other form, whichever adds numbers of one sign.
 
 /// `c0 + c1 x + c2 x^2`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Quadratic {
+pub struct Quadratic {
+    /// Value at the origin.
     pub c0: f64,
+    /// Slope at the origin.
     pub c1: f64,
+    /// Half of the second derivative.
     pub c2: f64,
 }
 
 impl Quadratic {
+    /// Returns the value at `x`.
+    #[inline]
     pub fn at(&self, x: f64) -> f64 {
         self.c0 + x * (self.c1 + x * self.c2)
     }
 
-    /// The same curve seen from `x` as the new origin.
+    /// Returns the same curve seen from `x` as the new origin.
+    #[must_use]
+    #[inline]
     pub fn from(&self, x: f64) -> Self {
         Self {
             c0: self.at(x),
@@ -26,7 +33,14 @@ impl Quadratic {
         }
     }
 
-    /// The first x in [0, end] at which the value is below zero, or from which on it is.
+    /// Returns the first x in [0, end] at which the value is below zero, or from which on it is.
+    ///
+    /// (x - 2)(x - 3) falls through zero at 2, and does not get there within 1.9:
+    /// ```
+    /// use zhuyi_core::quadratic::Quadratic;
+    /// let curve = Quadratic { c0: 6.0, c1: -5.0, c2: 1.0 };
+    /// assert_eq!((curve.first_below(10.0), curve.first_below(1.9)), (Some(2.0), None));
+    /// ```
     #[inline]
     pub fn first_below(&self, end: f64) -> Option<f64> {
         let Self { c0, c1, c2 } = *self;
@@ -40,7 +54,7 @@ impl Quadratic {
         Some(self.falling_root().clamp(0.0, end))
     }
 
-    /// The first x in [0, end] at which the value is at least zero.
+    /// Returns the first x in [0, end] at which the value is at least zero.
     #[inline]
     pub fn first_reached(&self, end: f64) -> Option<f64> {
         let Self { c0, c1, c2 } = *self;
@@ -63,6 +77,7 @@ impl Quadratic {
     }
 
     /// The smallest root of a curve with c0 >= 0 that falls through zero to the right of the origin.
+    #[inline]
     fn falling_root(&self) -> f64 {
         let Self { c0, c1, c2 } = *self;
         let root = (c1 * c1 - 4.0 * c0 * c2).max(0.0).sqrt();

@@ -2,13 +2,24 @@
 
 /// A quantity that changes at a steady rate.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Room {
+pub struct Room {
+    /// Value at the start.
     pub at_start: f64,
+    /// Its rate of change, per second.
     pub rate: f64,
 }
 
 /// Returns the part of [0, `length`] in which there is room of every kind; none where that is an instant or less.
-pub(crate) fn with_room(kinds: [Room; 2], length: f64) -> Option<(f64, f64)> {
+///
+/// 2 m that shrink by 1 m/s are gone after 2 s; 1 m is missing of what grows by 2 m/s, until 0.5 s:
+/// ```
+/// use zhuyi_core::room::{Room, with_room};
+/// let (shrinks, grows) = (Room { at_start: 2.0, rate: -1.0 }, Room { at_start: -1.0, rate: 2.0 });
+/// assert_eq!(with_room([shrinks, grows], 10.0), Some((0.5, 2.0)));
+/// assert_eq!(with_room([shrinks, grows], 0.5), None);
+/// ```
+#[inline]
+pub fn with_room(kinds: [Room; 2], length: f64) -> Option<(f64, f64)> {
     let (mut from, mut to) = (0.0_f64, length);
     for Room { at_start, rate } in kinds {
         if rate > 0.0 {
