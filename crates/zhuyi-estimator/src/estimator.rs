@@ -1,12 +1,12 @@
 //! The face of the crate: an [`Estimator`] answers for one trajectory, one forecast, or the cameras of a rig.
 
-use crate::conflict::Corridor;
 use crate::ego_motion::{latency_within, reaction_time};
-use crate::encounter::{Delay, Encounter};
-use crate::exact::Found;
 use crate::grid::Latencies;
 use crate::judge::Judge;
-use crate::recording::{Recording, View};
+use crate::solver::conflict::Corridor;
+use crate::solver::encounter::{Delay, Encounter};
+use crate::solver::exact::Found;
+use crate::solver::recording::{Recording, View};
 use crate::{Ego, Estimate, Future, Params, State, Uncertainty};
 use zhuyi_core::Footprint;
 

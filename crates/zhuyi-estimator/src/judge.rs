@@ -4,10 +4,10 @@
 //! contact (reading R6), to the speed (Eq. 2) where the ego is never slow enough, and to the distance (Eq. 1)
 //! otherwise.
 
-use crate::conflict::Zone;
-use crate::encounter::{Ask, Candidate, Delay, Encounter, overlap};
-use crate::exact::Found;
-use crate::{Binding, Criterion, Params, exact, paper};
+use crate::solver::conflict::Zone;
+use crate::solver::encounter::{Ask, Candidate, Delay, Encounter, overlap};
+use crate::solver::exact::{self, Found};
+use crate::{Binding, Criterion, Params, paper};
 
 /// How reaction times are judged.
 #[derive(Clone, Copy, Debug)]
@@ -148,9 +148,9 @@ impl Judge<'_> {
 #[cfg(test)]
 mod tests {
     use super::Judge;
-    use crate::conflict::Corridor;
-    use crate::encounter::{Delay, Encounter};
-    use crate::recording::View;
+    use crate::solver::conflict::Corridor;
+    use crate::solver::encounter::{Delay, Encounter};
+    use crate::solver::recording::View;
     use crate::{Binding, Criterion, Ego, Estimator, Future, Params, State};
     use proptest::prelude::*;
     use proptest::test_runner::RngSeed;

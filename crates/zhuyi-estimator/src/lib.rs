@@ -4,10 +4,10 @@
 //!   Ego ──────────────┐
 //!   Future, l_0 ──────┤ per actor and future                                per actor                  per camera
 //!                     ▼                                                        │                           │
-//!   conflict: when is the actor the ego's business?  (R7, R8)                  │                           │
+//!   solver::conflict: when in the ego's corridor?    (R7, R8)                  │                           │
 //!   ego_motion: hold, brake, stand                   (R1-R3)                   │                           │
 //!   constraints at t_n, no contact before            (R5, R6, R9)              │                           │
-//!   exact | paper: is there such a t_n for this l?   (R11)                     │                           │
+//!   solver::exact | paper: such a t_n for this l?    (R11)                     │                           │
 //!   estimator: the largest l of the grid             (R4, R12) ── Estimate ──▶ aggregation (R13) ──▶ demand (R14)
 //! ```
 //!
@@ -23,6 +23,8 @@
 //! | an actor where nobody looks | [`phantom`] |
 //! | what RSS or another model of [`rivals`] asks for | [`Estimator::by_model`] |
 //! | how others would call the situation: TTC, PET, BTN .. | [`criticality::criticality`] |
+//!
+//! The modules at the top state the formulas; `solver` finds their answers quickly and means nothing of its own.
 //!
 //! To embed it, start with [`embedding`]: what goes in, units, frames, readings.
 //!
@@ -60,23 +62,13 @@ pub mod moment;
 pub mod paper;
 pub mod params;
 pub mod phantom;
-pub mod playback;
-pub mod recording;
 pub mod rivals;
 pub mod samples;
 pub mod uncertainty;
 
-mod conflict;
-mod encounter;
 mod estimator;
-mod exact;
-mod guess;
 mod judge;
-mod lines;
-mod proof;
-mod stretch;
-mod swing;
-mod walk;
+mod solver;
 
 pub use aggregation::ForecastEstimate;
 pub use demand::{Demand, Watch};
@@ -89,6 +81,6 @@ pub use model::{Reaction, SafetyModel};
 pub use moment::{Answer, Moment, Seen};
 pub use params::{Aggregation, Criterion, Grid, Params, Solver};
 pub use phantom::{Phantom, PhantomParams, Phantoms, Surroundings};
-pub use playback::Playback;
-pub use recording::Recording;
+pub use solver::playback::Playback;
+pub use solver::recording::Recording;
 pub use uncertainty::Uncertainty;

@@ -12,10 +12,10 @@
 //! from what is unmet. Where both constraints hold and contact alone refuses t_n, there is nothing to jump by and
 //! the latency is refused.
 
-use crate::conflict::Zone;
 use crate::constraints::{TOLERANCE, distance_slack, speed_slack};
 use crate::ego_motion::EgoMotion;
-use crate::encounter::{Delay, Encounter};
+use crate::solver::conflict::Zone;
+use crate::solver::encounter::{Delay, Encounter};
 
 /// [s] dt_d, the jump when the ego is `overrun` metres (|gap_d|) further than Eq. 1 allows.
 ///

@@ -9,9 +9,9 @@ use zhuyi_core::{Extent, Footprint, LaneChange};
 
 use super::Evasion;
 use crate::ego_motion::{EgoMotion, Start};
-use crate::encounter::Delay;
-use crate::stretch::{Datum, Stretch};
-use crate::swing::{Swing, stand};
+use crate::solver::encounter::Delay;
+use crate::solver::stretch::{Datum, Stretch};
+use crate::solver::swing::{Swing, stand};
 use crate::{Ego, Future, Params};
 
 /// The least offsets of the ego to the left and to the right of an actor, wherever that goes in the horizon and however it

@@ -1,8 +1,7 @@
 //! What was told of every actor, row after row.
 
 use zhuyi_core::{ActorId, Lane};
-use zhuyi_estimator::playback::Playback;
-use zhuyi_estimator::{Estimator, Tolerance, Watch};
+use zhuyi_estimator::{Estimator, Playback, Tolerance, Watch};
 
 use super::Hindsight;
 use super::covered::Covered;

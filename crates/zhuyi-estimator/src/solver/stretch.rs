@@ -5,9 +5,9 @@
 //! a quadratic and its speed a line. So each of Eq. 1, Eq. 2 and the absence of contact (reading R6) is a
 //! polynomial of degree two at most, and the first x that meets or breaks it is a root.
 
+use super::recording::AlongBlock;
 use crate::constraints::TOLERANCE;
 use crate::ego_motion::Phase;
-use crate::recording::AlongBlock;
 use zhuyi_core::Along;
 use zhuyi_core::quadratic::Quadratic;
 

@@ -16,10 +16,10 @@
 //! A list may flicker without end, so spans are derived one after the other and never collected; a few are kept
 //! because every candidate latency walks over them again.
 
+use super::lines::{Lines, Side};
+use super::recording::{AcrossBlock, View};
+use super::swing::{Swing, stand};
 use crate::ego_motion::Start;
-use crate::lines::{Lines, Side};
-use crate::recording::{AcrossBlock, View};
-use crate::swing::{Swing, stand};
 use crate::{Ego, Params};
 use zhuyi_core::Footprint;
 

@@ -3,13 +3,13 @@
 //! "No collision during t_n" is read as no pass-through (reading R6): `d(t) <= s(t)` at every conflict time in [0,
 //! t_n] at which the bodies overlap sideways.
 
+use super::conflict::{Corridor, Span, Spans, Zone};
+use super::recording::AlongBlock;
+use super::stretch::{Datum, Margins, Outline, Stretch};
+use super::walk::{Bounds, Cell};
 use crate::Params;
-use crate::conflict::{Corridor, Span, Spans, Zone};
 use crate::constraints::{TOLERANCE, distance_slack, speed_slack};
 use crate::ego_motion::{EgoMotion, Phase, braking_decel};
-use crate::recording::AlongBlock;
-use crate::stretch::{Datum, Margins, Outline, Stretch};
-use crate::walk::{Bounds, Cell};
 use zhuyi_core::Along;
 
 /// One ego before one future of one actor.

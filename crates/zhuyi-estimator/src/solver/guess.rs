@@ -8,7 +8,7 @@
 //!  (v + a t_r)^2 / 2b + v t_r + a t_r^2 / 2 = room
 //! ```
 
-use crate::encounter::Encounter;
+use super::encounter::Encounter;
 use zhuyi_core::quadratic::Quadratic;
 
 /// [m/s] below it an actor at the end of its list stands.

@@ -27,11 +27,11 @@ use std::ops::Range;
 
 use zhuyi_core::Along;
 
+use super::conflict::{Span, Zone};
+use super::encounter::{Ask, Candidate, Encounter, Verdict, overlap};
+use super::recording::AlongBlock;
+use super::walk::{Bounds, Cell, Leash, Visitor};
 use crate::Criterion;
-use crate::conflict::{Span, Zone};
-use crate::encounter::{Ask, Candidate, Encounter, Verdict, overlap};
-use crate::recording::AlongBlock;
-use crate::walk::{Bounds, Cell, Leash, Visitor};
 
 /// The candidate that was found.
 #[derive(Clone, Copy, Debug, PartialEq)]

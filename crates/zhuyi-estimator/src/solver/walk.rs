@@ -5,11 +5,11 @@
 //! that neither contact nor a time that meets the constraints lies between them. What they cannot rule out is looked
 //! at, so the answer is that of the plain list.
 
+use super::encounter::{Ask, Candidate, Encounter, Verdict, parts};
+use super::recording::{ALONG_BLOCKS, AlongBlock};
+use super::stretch::{Datum, Stretch};
 use crate::constraints::TOLERANCE;
 use crate::ego_motion::Phase;
-use crate::encounter::{Ask, Candidate, Encounter, Verdict, parts};
-use crate::recording::{ALONG_BLOCKS, AlongBlock};
-use crate::stretch::{Datum, Stretch};
 use zhuyi_core::Along;
 use zhuyi_core::quadratic::Quadratic;
 

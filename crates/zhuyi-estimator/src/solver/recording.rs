@@ -8,10 +8,10 @@
 
 use std::sync::OnceLock;
 
+use super::lines::{Lines, Side};
+use super::playback::Run;
+use super::swing::Swing;
 use crate::Future;
-use crate::lines::{Lines, Side};
-use crate::playback::Run;
-use crate::swing::Swing;
 use zhuyi_core::{Across, Along, Trajectory};
 
 /// Pieces per block along the road, from coarse to fine; each is a multiple of the next.
@@ -33,7 +33,7 @@ pub(crate) struct AlongBlock {
     pub end: f64,
 }
 
-/// Offsets over many pieces of the edges of the box, counted as in [`Edges`](crate::lines::Edges).
+/// Offsets over many pieces of the edges of the box, counted as in [`Edges`](super::lines::Edges).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct AcrossBlock {
     pub start: f64,

@@ -11,14 +11,14 @@
 
 use zhuyi_core::{Across, Along, Footprint, Trajectory};
 
-use crate::conflict::Corridor;
+use super::conflict::Corridor;
+use super::encounter::Encounter;
+use super::lines::{Lines, Side};
+use super::proof::Proof;
+use super::recording::{Recording, View, for_each_edge};
+use super::swing::{Swing, stand};
 use crate::ego_motion::Start;
-use crate::encounter::Encounter;
 use crate::estimate::{State, Tolerance};
-use crate::lines::{Lines, Side};
-use crate::proof::Proof;
-use crate::recording::{Recording, View, for_each_edge};
-use crate::swing::{Swing, stand};
 use crate::{Ego, Estimator, Future};
 
 /// After how many questions a proof is tried again where there was none.

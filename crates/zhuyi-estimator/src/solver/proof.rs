@@ -40,13 +40,14 @@
 
 use zhuyi_core::Along;
 
-use crate::conflict::Zone;
+use super::conflict::Zone;
+use super::encounter::{Delay, Encounter};
+use super::exact;
+use super::lines::Lines;
+use super::recording::OnlyStay;
 use crate::constraints::TOLERANCE;
 use crate::ego_motion::{Start, braking_decel};
-use crate::encounter::{Delay, Encounter};
-use crate::lines::Lines;
-use crate::recording::OnlyStay;
-use crate::{Criterion, Params, exact};
+use crate::{Criterion, Params};
 
 /// The handicaps that are tried, the longest-lived first: a share [-] of the time between the reactions of the two candidates, by
 /// which the first reacts later, and h [m].

@@ -1,6 +1,6 @@
 //! Where an actor is sideways, as seen from the ego's offset.
 
-use crate::recording::AcrossBlock;
+use super::recording::AcrossBlock;
 use crate::{Ego, Params};
 use zhuyi_core::Footprint;
 
