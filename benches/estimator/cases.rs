@@ -6,7 +6,7 @@
 //! | [`one_actor`] | a future of one piece or two; 12 s sampled at 10 Hz, plain and as a [`Recording`] | one trajectory |
 //! | [`many`] | actors x trajectories of each, through [`Estimator::forecast`] | all of them |
 //! | [`whole_run`] | every actor of a simulated run at every 10 ms step | some thousand trajectories |
-//! | [`other_models`] | the models of `rivals`, and the metrics of `criticality` | one trajectory |
+//! | [`other_models`] | the models of `safety_models`, and the metrics of `criticality` | one trajectory |
 //!
 //! In all but the whole run the ego drives at 25 m/s and its camera at 30 FPR; gaps are bumper to bumper.
 
@@ -16,10 +16,10 @@ use std::sync::Arc;
 use zhuyi_core::{
     Across, ActorId, Along, Footprint, Forecast, FrameRates, LaneFrame, Road, Trajectory,
 };
-use zhuyi_estimator::criticality::{Limits, criticality};
-use zhuyi_estimator::rivals::Rivals;
 use zhuyi_estimator::samples::{Sample, trajectory};
 use zhuyi_estimator::{Ego, Estimate, Estimator, Future, Params, Recording};
+use zhuyi_metrics::criticality::{Limits, criticality};
+use zhuyi_metrics::safety_models::SafetyModels;
 use zhuyi_scenario::{Source, embedded, load};
 use zhuyi_sim::{RunSpec, Trace, recorded};
 
@@ -351,16 +351,16 @@ impl Drive {
 
 /// What others ask for and measure, of the lead that brakes.
 pub fn other_models() -> Vec<Case> {
-    let rivals = Rivals::default();
+    let models = SafetyModels::default();
     let model = |place: usize| {
         let (estimator, lead) = (estimator(), braking(40.0, 20.0, 3.0));
         let ask = move || {
             let future = Future::new(&lead, 0.0);
             let (ego, future) = (black_box(&EGO), black_box(&future));
-            black_box(estimator.by_model(rivals.all()[place], ego, CAR, future, CURRENT_LATENCY));
+            black_box(estimator.by_model(models.all()[place], ego, CAR, future, CURRENT_LATENCY));
         };
         Case {
-            name: rivals.all()[place].name(),
+            name: models.all()[place].name(),
             trajectories: 1,
             evaluations: None,
             ask: Box::new(ask),
@@ -382,7 +382,7 @@ pub fn other_models() -> Vec<Case> {
         evaluations: None,
         ask: Box::new(metrics),
     };
-    (0..rivals.all().len())
+    (0..models.all().len())
         .map(model)
         .chain([metrics])
         .collect()

@@ -75,6 +75,8 @@ fn law_the_stages_do_not_know_each_other_and_the_estimator_knows_the_nouns_alone
         );
     }
     assert!(arrows["zhuyi-core"].is_empty());
+    let metrics = &arrows["zhuyi-metrics"];
+    assert!(metrics.iter().eq(["zhuyi-core", "zhuyi-estimator"]));
 }
 
 /// Every trait of the stages has a row with the method that takes another one and an implementation outside of at most 60 lines.

@@ -33,14 +33,14 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// A whole moment, every rival and the criticality of it: two actors with two futures each, two cameras at two rates.
+/// A whole moment, every other model and the criticality of it: two actors with two futures each, two cameras at two rates.
 #[test]
 fn law_the_rust_face_allocates_nothing() {
     use zhuyi_core::{ActorId, Camera, Footprint, Forecast, Pose};
-    use zhuyi_estimator::criticality::{Limits, criticality};
-    use zhuyi_estimator::rivals::Rivals;
     use zhuyi_estimator::samples::{Sample, trajectory};
     use zhuyi_estimator::{Ego, Estimator, Future, Moment, Params, Seen, Watch};
+    use zhuyi_metrics::criticality::{Limits, criticality};
+    use zhuyi_metrics::safety_models::SafetyModels;
 
     let footprint = Footprint {
         length: 4.5,
@@ -97,7 +97,7 @@ fn law_the_rust_face_allocates_nothing() {
         seen: &seen,
         rig: &rig,
     };
-    let (rivals, limits) = (Rivals::default(), Limits::default());
+    let (models, limits) = (SafetyModels::default(), Limits::default());
     for params in [
         Params::default(),
         Params {
@@ -113,7 +113,7 @@ fn law_the_rust_face_allocates_nothing() {
         estimator.moment(&moment, &mut demands, |_| told += 1);
         for (_, trajectory) in &ahead.trajectories {
             let future = Future::new(trajectory, 0.0);
-            for model in rivals.all() {
+            for model in models.all() {
                 let _ = estimator.by_model(model, &ego, footprint, &future, 0.1);
             }
             let _ = criticality(&ego, footprint, &future, &limits);

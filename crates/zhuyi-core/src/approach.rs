@@ -14,7 +14,7 @@
 //!
 //! Which actor is in the way is one rule: the boxes as they stand overlap sideways (the edge gap is negative), or come
 //! nearer than a margin where the caller gives one. What is measured (the smallest gap and TTC of a run, reports) has no
-//! margin. What stands beside the estimate (the metrics of `zhuyi_estimator::criticality`) has that of the estimator's
+//! margin. What stands beside the estimate (the metrics of `zhuyi_metrics::criticality`) has that of the estimator's
 //! corridor, so that both speak of the same actors.
 //!
 //! Source: TTC: Hayward, "Near miss determination through use of a scale of danger" (1972).

@@ -110,25 +110,31 @@ impl Start {
 
 /// A stretch of constant acceleration, up to the next one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Phase {
+pub struct Phase {
+    /// [s] when it begins.
     pub start: f64,
+    /// [m] distance covered by then.
     pub distance: f64,
+    /// [m/s] speed then.
     pub speed: f64,
+    /// [m/s2] acceleration from then on.
     pub accel: f64,
 }
 
 impl Phase {
+    /// [m] d(t) while the phase lasts.
     pub fn distance_at(&self, time: f64) -> f64 {
         let x = time - self.start;
         self.distance + x * (self.speed + x * (self.accel / 2.0))
     }
 
+    /// [m/s] v_e(t) while the phase lasts.
     pub fn speed_at(&self, time: f64) -> f64 {
         self.speed + (time - self.start) * self.accel
     }
 
     /// d(t) as a polynomial in t itself.
-    pub fn in_time(&self) -> Quadratic {
+    pub(crate) fn in_time(&self) -> Quadratic {
         let from_start = Quadratic {
             c0: self.distance,
             c1: self.speed,
@@ -279,7 +285,7 @@ impl EgoMotion {
     }
 
     /// The three phases, each with the time at which it ends.
-    pub(crate) fn phases(&self) -> [(&Phase, f64); 3] {
+    pub fn phases(&self) -> [(&Phase, f64); 3] {
         let [hold, brake, stand] = &self.phases;
         [
             (hold, brake.start),

@@ -116,7 +116,7 @@ impl<'a> Future<'a> {
 
     /// The half extents of `actor` between two times from t_0, piece by piece: from when, until when, and the piece on this
     /// clock.
-    pub(crate) fn extents_within(
+    pub fn extents_within(
         &self,
         actor: Footprint,
         from: f64,
@@ -151,7 +151,7 @@ impl<'a> Future<'a> {
     }
 
     /// The place in the list of the piece that holds at `time` from t_0.
-    pub(crate) fn along_index(&self, time: f64) -> usize {
+    pub fn along_index(&self, time: f64) -> usize {
         let at = time + self.now;
         self.along
             .partition_point(|piece| piece.time <= at)
@@ -159,7 +159,7 @@ impl<'a> Future<'a> {
     }
 
     /// The same across the road.
-    pub(crate) fn across_index(&self, time: f64) -> usize {
+    pub fn across_index(&self, time: f64) -> usize {
         let at = time + self.now;
         self.across
             .partition_point(|piece| piece.time <= at)

@@ -21,8 +21,7 @@
 //! | what an actor asks that is not known exactly | [`Estimator::uncertain`] |
 //! | the same where the ego may also evade | [`Estimator::evading`] |
 //! | an actor where nobody looks | [`phantom`] |
-//! | what RSS or another model of [`rivals`] asks for | [`Estimator::by_model`] |
-//! | how others would call the situation: TTC, PET, BTN .. | [`criticality::criticality`] |
+//! | what RSS or another model asks for | [`Estimator::by_model`] |
 //!
 //! The modules at the top state the formulas; `solver` finds their answers quickly and means nothing of its own.
 //!
@@ -48,7 +47,6 @@ pub mod embedding {}
 
 pub mod aggregation;
 pub mod constraints;
-pub mod criticality;
 pub mod demand;
 pub mod ego_motion;
 pub mod estimate;
@@ -62,7 +60,6 @@ pub mod moment;
 pub mod paper;
 pub mod params;
 pub mod phantom;
-pub mod rivals;
 pub mod samples;
 pub mod uncertainty;
 

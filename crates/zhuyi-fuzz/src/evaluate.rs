@@ -1,10 +1,10 @@
 //! What reads as a recording must be told of: its evaluation, the files that tell it, and its report.
 
 use zhuyi_core::Road;
-use zhuyi_estimator::criticality::Limits;
 use zhuyi_estimator::{Estimator, Watch};
 use zhuyi_log::files::{actors_csv, cameras_csv, criticality_csv};
 use zhuyi_log::{Consistency, Log, Replay, Summary, evaluate_with_criticality};
+use zhuyi_metrics::criticality::Limits;
 
 use zhuyi_report::Recording;
 

@@ -10,8 +10,8 @@
 //! for one t_0, and not twice.
 
 use zhuyi_core::ActorId;
-use zhuyi_estimator::criticality::{Criticality, Limits, criticality};
 use zhuyi_estimator::{Demand, Estimate, Estimator, Future, Watch};
+use zhuyi_metrics::criticality::{Criticality, Limits, criticality};
 
 use crate::replay::{Actor, Moment, Replay};
 

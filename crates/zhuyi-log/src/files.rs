@@ -28,7 +28,7 @@
 //! | column | meaning |
 //! |---|---|
 //! | `time_s`, `actor` | as above |
-//! | `ttc_s`, `ttc_2d_s`, `thw_s`, `drac_mps2`, `pet_s`, `ttb_s`, `btn`, `impact_mps` | what others call critical; meaning, direction and source in [`zhuyi_estimator::criticality`]; empty where undefined |
+//! | `ttc_s`, `ttc_2d_s`, `thw_s`, `drac_mps2`, `pet_s`, `ttb_s`, `btn`, `impact_mps` | what others call critical; meaning, direction and source in [`zhuyi_metrics::criticality`]; empty where undefined |
 //!
 //! `egos.csv`, one row per vehicle as the ego:
 //!
@@ -44,8 +44,8 @@
 
 use csv::Writer;
 use zhuyi_core::ActorId;
-use zhuyi_estimator::criticality::Criticality;
 use zhuyi_estimator::{Binding, State, Watch};
+use zhuyi_metrics::criticality::Criticality;
 
 use crate::evaluation::{Answer, Evaluation};
 use crate::log::Log;
@@ -106,7 +106,7 @@ pub fn cameras_csv(log: &Log, evaluation: &Evaluation, rig: &[Watch<'_>]) -> Str
     rows.text()
 }
 
-/// The text of `criticality.csv`: the metrics of [`zhuyi_estimator::criticality`] for every actor of every step, of an
+/// The text of `criticality.csv`: the metrics of [`zhuyi_metrics::criticality`] for every actor of every step, of an
 /// evaluation that has them.
 pub fn criticality_csv(log: &Log, evaluation: &Evaluation) -> String {
     let header = ["time_s", "actor"].into_iter().chain(Criticality::COLUMNS);

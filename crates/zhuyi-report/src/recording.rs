@@ -11,9 +11,9 @@ use std::collections::BTreeMap;
 
 use serde_json::{Value, json};
 use zhuyi_core::{ActorId, Body as Truth, Footprint, FrameRates, Pose};
-use zhuyi_estimator::criticality::Approach;
 use zhuyi_estimator::{Demand, Estimator, Future, Watch};
 use zhuyi_log::{Log, Moment, Replay, evaluate};
+use zhuyi_metrics::criticality::Approach;
 use zhuyi_perception::View;
 use zhuyi_scenario::System;
 use zhuyi_studies::compare::models::Panel;

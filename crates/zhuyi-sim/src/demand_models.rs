@@ -16,10 +16,10 @@ use std::sync::Arc;
 
 use zhuyi_core::{Body, Road, Track};
 use zhuyi_estimator::phantom::{View, ViewAlong};
-use zhuyi_estimator::rivals::Rivals;
 use zhuyi_estimator::{
     Demand, Estimator, Future, Moment, Phantom, PhantomParams, SafetyModel, Seen, Watch,
 };
+use zhuyi_metrics::safety_models::SafetyModels;
 use zhuyi_scenario::System;
 use zhuyi_scheduler::demands::{IMPORTANCE, OFFLINE, PHANTOM, ZHUYI};
 
@@ -89,7 +89,7 @@ pub(crate) struct DemandModels {
     system: Arc<System>,
     road: Arc<Road>,
     estimator: Estimator,
-    rivals: Rivals,
+    safety_models: SafetyModels,
     /// Safety models of the user's.
     own: Vec<Box<dyn SafetyModel + Send>>,
     uncleared: Uncleared,
@@ -102,7 +102,7 @@ impl DemandModels {
             estimator: Estimator::new(system.estimator.clone()),
             system,
             road,
-            rivals: Rivals::default(),
+            safety_models: SafetyModels::default(),
             own: Vec::new(),
             uncleared: Uncleared::default(),
         }
@@ -131,7 +131,7 @@ impl DemandModels {
         if let Some(model) = self.own.iter().find(|model| model.name() == id) {
             return Some(self.by_model(&**model, question.moment));
         }
-        let models = self.rivals.all();
+        let models = self.safety_models.all();
         let model = models.into_iter().find(|model| model.name() == id)?;
         Some(self.by_model(model, question.moment))
     }

@@ -48,6 +48,7 @@
 //! | read and write scenario files | [`scenario`] |
 //! | run a scenario step by step or as a whole | [`sim`] |
 //! | evaluate a recording | [`log`] |
+//! | compare with RSS, SFF or TTC, measure criticality | [`metrics`] |
 //! | run sweeps, find minimum required rates | [`batch`] |
 //! | make the paper's table, compare policies and models | [`studies`] |
 //! | draw figures and reports | [`report`] |
@@ -59,6 +60,7 @@ pub use zhuyi_core as core;
 pub use zhuyi_core::stages;
 pub use zhuyi_estimator as estimator;
 pub use zhuyi_log as log;
+pub use zhuyi_metrics as metrics;
 pub use zhuyi_perception as perception;
 pub use zhuyi_planner as planner;
 pub use zhuyi_prediction as prediction;

@@ -8,12 +8,12 @@ use std::sync::Arc;
 
 use clap::Args;
 use zhuyi_core::{ActorId, FrameRates, Road};
-use zhuyi_estimator::criticality::Limits;
 use zhuyi_estimator::{Criterion, Estimator, Solver, Watch};
 use zhuyi_log::files::{actors_csv, cameras_csv, criticality_csv, egos_csv};
 use zhuyi_log::{
     Consistency, Evaluation, Log, Replay, Summary, evaluate, evaluate_with_criticality, places_on,
 };
+use zhuyi_metrics::criticality::Limits;
 use zhuyi_scenario::{Kind, Setting, System};
 
 use super::Task;

@@ -6,9 +6,9 @@ use std::fs;
 use std::path::Path;
 
 use zhuyi_core::FrameRates;
-use zhuyi_estimator::criticality::Limits;
 use zhuyi_estimator::{Estimator, State};
 use zhuyi_log::{Answer, Log, Replay, evaluate_with_criticality};
+use zhuyi_metrics::criticality::Limits;
 
 use crate::{rig, system};
 

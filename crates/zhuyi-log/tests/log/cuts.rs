@@ -6,8 +6,8 @@ use rand::RngExt;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 use zhuyi_core::FrameRates;
 use zhuyi_estimator::Estimator;
-use zhuyi_estimator::criticality::Limits;
 use zhuyi_log::{Evaluation, Log, Replay, evaluate_with_criticality};
+use zhuyi_metrics::criticality::Limits;
 
 use crate::laws::{Numbers, on_the_s, text};
 use crate::recordings::{FILES, folder};

@@ -4,9 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use zhuyi_core::FrameRates;
-use zhuyi_estimator::criticality::Limits;
 use zhuyi_estimator::{Estimator, State};
 use zhuyi_log::{Answers, Log, Replay, evaluate_with_criticality};
+use zhuyi_metrics::criticality::Limits;
 
 use crate::laws::{Numbers, text};
 use crate::{rig, system};

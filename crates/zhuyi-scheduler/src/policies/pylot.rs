@@ -1,6 +1,6 @@
 //! Demand first, with the deadline of Pylot, which falls with the speed of the ego.
 //!
-//! d_i is the Pylot demand of camera i [Hz]: its deadline turned into a rate (zhuyi-estimator, `rivals::pylot`);
+//! d_i is the Pylot demand of camera i [Hz]: its deadline turned into a rate (zhuyi-metrics, `safety_models::pylot`);
 //! [`demand_first`](crate::sharing::demand_first) shares. Source: Gog et al., Pylot (ICRA 2021) and D3 (EuroSys 2022).
 //! Left out by the model: who is there. Pylot itself chooses among networks by its deadline, not among cameras.
 

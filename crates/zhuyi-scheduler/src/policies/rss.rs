@@ -1,7 +1,7 @@
 //! Demand first, with the demand that Responsibility-Sensitive Safety leads to.
 //!
 //! d_i is the RSS demand of camera i [Hz]: the longest response time with which the distances are still safe, turned
-//! into a rate (zhuyi-estimator, `rivals::rss`); [`demand_first`](crate::sharing::demand_first) shares. Source:
+//! into a rate (zhuyi-metrics, `safety_models::rss`); [`demand_first`](crate::sharing::demand_first) shares. Source:
 //! Shalev-Shwartz, Shammah & Shashua, arXiv 1708.06374. RSS itself knows of no cameras. Left out: lateral responses.
 
 use crate::demands::{self, share};

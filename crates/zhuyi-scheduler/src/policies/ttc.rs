@@ -1,7 +1,7 @@
 //! Demand first, with the demand that time to collision leads to: the braking cone of simpler systems.
 //!
 //! d_i is the TTC demand of camera i [Hz]: what is left of the time to collision above a threshold, turned into a rate
-//! (zhuyi-estimator, `rivals::ttc`); [`demand_first`](crate::sharing::demand_first) shares. Source: Hayward 1972.
+//! (zhuyi-metrics, `safety_models::ttc`); [`demand_first`](crate::sharing::demand_first) shares. Source: Hayward 1972.
 //! Left out by the measure: how hard anybody can brake.
 
 use crate::demands::{self, share};

@@ -1,13 +1,13 @@
 //! What each model goes by, in words, which is what makes it short or strict; the numbers are those of its parameters.
 //!
-//! Left out: sources and equations, which stand with the models in zhuyi-estimator's `rivals`.
+//! Left out: sources and equations, which stand with the models in `zhuyi_metrics::safety_models`.
 
-use zhuyi_estimator::rivals::Rivals;
+use zhuyi_metrics::safety_models::SafetyModels;
 
 use zhuyi_batch::text::at_most_two_decimals as number;
 
 /// As the rest of a sentence that begins with the name.
-pub(super) fn idea(name: &str, rivals: &Rivals) -> String {
+pub(super) fn idea(name: &str, rivals: &SafetyModels) -> String {
     match name {
         "zhuyi" => {
             "knows the future, keeps the margins C1 and C2, and looks no further than the first t_n at which it is behind and slower".to_string()
@@ -62,7 +62,7 @@ mod tests {
 
     #[test]
     fn hand_the_numbers_are_those_of_the_parameters() {
-        let mut rivals = Rivals::default();
+        let mut rivals = SafetyModels::default();
         // 0.774 * 9.81 = 7.593.
         for (name, told) in [
             ("rss-capped", "above 50 km/h only"),

@@ -5,7 +5,7 @@
 //! | `zhuyi` | the paper's criterion, solved exactly |
 //! | `zhuyi-standstill` | the procedure itself: no contact in the horizon. This is what was needed |
 //! | `zhuyi-jumps` | the paper's criterion, solved by the paper's jumps (reading R11) |
-//! | `rss`, .. | [`Rivals`] with default parameters |
+//! | `rss`, .. | [`SafetyModels`] with default parameters |
 //!
 //! A model asks for nothing on behalf of an actor that its source does not speak of, and is not judged where that actor is
 //! the one that needs it ([`Panel::is_defined`]).
@@ -13,10 +13,10 @@
 //! All share the system's parameters but for criterion and solver, so K, l_0 and the grid are the same for all.
 
 use zhuyi_core::{ActorId, Footprint};
-use zhuyi_estimator::rivals::Rivals;
 use zhuyi_estimator::{
     Criterion, Demand, Ego, Estimate, Estimator, Future, Reaction, Solver, State,
 };
+use zhuyi_metrics::safety_models::SafetyModels;
 use zhuyi_scenario::System;
 use zhuyi_sim::Hindsight;
 use zhuyi_sim::trace::Row;
@@ -48,7 +48,7 @@ pub struct Panel {
     /// The estimators of the paper, at their places.
     zhuyi: [Estimator; 3],
     /// The rivals, at their places.
-    rivals: Rivals,
+    rivals: SafetyModels,
     /// The procedure itself with the brakes that most rivals count on.
     pub braking_harder: Estimator,
 }
@@ -57,7 +57,7 @@ pub struct Panel {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Assumptions {
     /// Those of the rivals.
-    pub rivals: Rivals,
+    pub rivals: SafetyModels,
     /// [m/s2] the harder brakes of the ego, of [`Panel::braking_harder`].
     pub harder_decel: f64,
     /// [s] how far the procedure looks ahead.
@@ -80,7 +80,7 @@ impl Panel {
                 (params.solver, params.criterion) = (solver, criterion);
             })
         });
-        let rivals = Rivals::default();
+        let rivals = SafetyModels::default();
         let mut harder = zhuyi[NEEDED].params().clone();
         harder.c3 = harder.c3.max(rivals.rss.least_brake);
         let estimators = variants.iter().enumerate().map(|(place, variant)| Model {
