@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use zhuyi_core::stages::{CameraState, Policy, Situation};
 use zhuyi_core::{Command, Manoeuvre, SimTime};
 use zhuyi_scenario::embedded;
-use zhuyi_scheduler::{NAMES, policy};
+use zhuyi_scheduler::{POLICIES, policy};
 use zhuyi_sim::{Action, RunRecord, RunSpec, Simulation, known_future};
 
 use crate::read;
@@ -13,7 +13,7 @@ const BUDGET: f64 = 25.0;
 
 /// Every built-in policy that is no program.
 fn policies() -> impl Iterator<Item = &'static str> {
-    NAMES.into_iter().filter_map(|(name, _)| match name {
+    POLICIES.into_iter().filter_map(|entry| match entry.id {
         "static:CAMERA=RATE,.." => Some("static:front=8,left=2"),
         "exec:COMMAND" => None,
         name => Some(name),

@@ -11,24 +11,8 @@
 //!                                             queue ──▶ accelerator ──▶ ready times, transfers avoided
 //! ```
 //!
-//! | policy | shares by | source |
-//! |---|---|---|
-//! | [`uniform`](policies::uniform) | nothing | the fixed rates of the paper's experiments |
-//! | [`proportional`](policies::proportional) | the demand, in proportion | the paper, section on a Zhuyi-based system |
-//! | [`demand-first`](policies::demand_first) | the demand, then equal parts | our own |
-//! | [`demand-hysteresis`](policies::hysteresis) | the same, falling late | our own |
-//! | [`demand-only`](policies::demand_only) | the demand, and saves the rest | the paper's figure of 36 % |
-//! | [`phantom`](policies::phantom), [`phantom-only`](policies::phantom_only) | the same two, counting who may stand where no camera looks | our own |
-//! | [`importance`](policies::importance) | sum of 1/l over actors | the paper, same section |
-//! | [`rss`](policies::rss) | RSS demand | Shalev-Shwartz et al., arXiv 1708.06374 |
-//! | [`ttc`](policies::ttc) | demand of time to collision | Hayward 1972 |
-//! | [`pylot`](policies::pylot) | the ego's speed | Gog et al., ICRA 2021, EuroSys 2022 (D3) |
-//! | [`edf`](policies::edf) | deadlines on the accelerator | Liu & Layland 1973 |
-//! | [`static:..`](policies::fixed) | what the user says, or [`search`] finds | Suraksha, ISSRE 2021 |
-//! | [`clairvoyant`](policies::clairvoyant) | demand with the future known | the paper's offline estimates |
-//! | [`exec:..`](policies::exec) | a program of the user's | |
-//!
-//! [`policy`] makes one by its name; [`NAMES`] lists them. A policy of one's own in Rust is a type with [`Policy`]:
+//! [`policy`] makes one by its name; [`POLICIES`] lists them, with what each shares by and where it comes from, and [`policies`] has a file for
+//! each. A policy of one's own in Rust is a type with [`Policy`]:
 //!
 //! ```
 //! use zhuyi_core::{Body, Camera, Footprint};
@@ -70,7 +54,7 @@ pub mod search;
 pub mod sharing;
 
 pub use chip::{Chip, Compute, Discipline};
-pub use policies::{MakePolicy, NAMES, UnknownPolicy, policy, policy_maker};
+pub use policies::{MakePolicy, POLICIES, UnknownPolicy, policy, policy_maker};
 pub use queue::{Accelerator, Queued};
 pub use zhuyi_core::stages::{
     CameraState, DemandSeries, Policy, PolicyError, RateLimit, Situation,

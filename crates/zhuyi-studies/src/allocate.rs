@@ -22,7 +22,7 @@ pub mod tally;
 use rayon::prelude::*;
 use zhuyi_core::FrameRates;
 use zhuyi_scenario::{Scenario, System};
-use zhuyi_scheduler::{Chip, Compute, NAMES};
+use zhuyi_scheduler::{Chip, Compute, POLICIES as KNOWN};
 use zhuyi_sim::{DecisionError, RunSpec, known_future};
 
 use drive::Driven;
@@ -52,8 +52,8 @@ pub const ZHUYI: [&str; 8] = [
 
 /// The policies of `--policy all`: those that need nothing but their name, and the best static one.
 pub fn all_policies() -> Vec<String> {
-    let plain = NAMES.iter().map(|(name, _)| *name);
-    let plain = plain.filter(|name| !name.contains(':'));
+    let plain = KNOWN.iter().filter(|entry| !entry.takes_more());
+    let plain = plain.map(|entry| entry.id);
     plain.chain([BEST_STATIC]).map(String::from).collect()
 }
 

@@ -11,8 +11,8 @@ use clap::Args;
 use zhuyi_core::FrameRates;
 use zhuyi_core::camera::FULL_RATE;
 use zhuyi_scenario::{Scenario, System};
-use zhuyi_scheduler::MakePolicy;
 use zhuyi_scheduler::safety::Response;
+use zhuyi_scheduler::{MakePolicy, POLICIES};
 use zhuyi_sim::{RunRecord, RunSpec, equal_parts, known_future, trace_csv};
 
 use super::Task;
@@ -27,9 +27,13 @@ use crate::rates::Rates;
 use crate::shell;
 use summary::Summary;
 
-/// `zhuyi run` as typed.
-#[derive(Args, Clone, Debug)]
-#[command(after_help = "\
+/// What stands below the options.
+fn help() -> String {
+    let policies = POLICIES.map(|entry| format!("  {:<22} {}\n", entry.id, entry.meaning));
+    format!("{HELP}{}\n{BUDGETS}", policies.concat())
+}
+
+const HELP: &str = "\
 Examples:
   zhuyi run cut-out-fast                                    every camera at 30 FPR
   zhuyi run cut-out-fast --fpr 5 --seed 3                   every camera at 5 FPR
@@ -46,11 +50,11 @@ up to the contact.
 The trace has one row per time and vehicle: time_s, id, x_m, y_m, heading_rad, speed_mps, accel_mps2, length_m, width_m, \
 s_m, d_m, lane. The ego's id is `ego`. The same command gives the same bytes.
 
-With --policy and a budget a policy shares the budget between the cameras every 100 ms: uniform, proportional (to the \
-demand, the paper's), demand-first, demand-hysteresis, demand-only (saves what nobody asks for), phantom and phantom-only (count \
-cars assumed where no camera looks), importance, rss, ttc, pylot, edf (demand-first, and the accelerator takes the frame with \
-the earliest deadline), clairvoyant (knows the same drive at 30 FPR), static:front=10,left=1 (others share what is left) and \
-exec:COMMAND, a program of yours. With --budget-fps a frame takes its period; with --budget-tops frames queue for an accelerator \
+With --policy and a budget a policy shares the budget between the cameras every 100 ms:
+";
+
+const BUDGETS: &str = "\
+With --budget-fps a frame takes its period; with --budget-tops frames queue for an accelerator \
 of that speed (519.6 GOP a frame; system file: compute). A camera below its demand raises an alarm (system file: online.response \
 says what follows). A program reads per decision one line {\"time_s\":..,\"budget_fps\":..,\"floor_fps\":..,\
 \"cap_fps\":..,\"ego_speed_mps\":..,\"cameras\":[{\"name\",\"rate_fps\",\"demand_fps\",\"phantom_fps\",\"rss_fps\",\"ttc_fps\",\"pylot_fps\",\
@@ -59,7 +63,11 @@ says what follows). A program reads per decision one line {\"time_s\":..,\"budge
 
 The file of --online has one row per decision and camera: time_s, camera, rate_fps, online_fps, online_actor, offline_fps, \
 offline_actor, granted_fps (the rate from then on), alarm. Both estimates take l_0 = 1/30 s (system file: online), whatever the camera runs at, so offline_fps is not the \
-demand printed, which takes l_0 = 1/rate.")]
+demand printed, which takes l_0 = 1/rate.";
+
+/// `zhuyi run` as typed.
+#[derive(Args, Clone, Debug)]
+#[command(after_help = help())]
 pub struct Arguments {
     /// A scenario's name (see zhuyi list) or the path of a .ron file
     #[arg(value_name = "SCENARIO")]

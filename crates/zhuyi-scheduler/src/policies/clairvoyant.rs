@@ -6,8 +6,17 @@
 //! what the ego does, it is no longer quite true. Source: the offline estimates of the paper's experiments.
 
 use crate::demands::{self, share};
+use crate::policies::entry::Entry;
 use crate::sharing;
 use crate::{Policy, PolicyError, Situation};
+
+/// Its entry among the [policies](super::POLICIES).
+pub(super) const ENTRY: Entry = Entry {
+    id: "clairvoyant",
+    meaning: "demand first, with the demand that follows from the true future",
+    source: "the paper's offline estimates",
+    make: |_| Ok(Box::new(Clairvoyant)),
+};
 
 /// The demand with the future known first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -9,8 +9,17 @@
 //! so that a camera which sees nothing yet is ready for something new. Left out: what was before.
 
 use crate::demands::{self, share};
+use crate::policies::entry::Entry;
 use crate::sharing;
 use crate::{Policy, PolicyError, Situation};
+
+/// Its entry among the [policies](super::POLICIES).
+pub(super) const ENTRY: Entry = Entry {
+    id: "demand-first",
+    meaning: "the demand, then the rest in equal parts",
+    source: "our own",
+    make: |_| Ok(Box::new(DemandFirst)),
+};
 
 /// The demand, then equal parts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -9,8 +9,17 @@
 //! for whom nobody has confirmed yet. Left out: what was before.
 
 use crate::demands::{self, share};
+use crate::policies::entry::Entry;
 use crate::sharing;
 use crate::{Policy, PolicyError, Situation};
+
+/// Its entry among the [policies](super::POLICIES).
+pub(super) const ENTRY: Entry = Entry {
+    id: "demand-only",
+    meaning: "the demand and no more: what is left of the budget is saved",
+    source: "the paper's figure of 36 %",
+    make: |_| Ok(Box::new(DemandOnly)),
+};
 
 /// The demand and no more.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -12,8 +12,17 @@
 //! [`Discipline::for_policy`]: crate::Discipline::for_policy
 
 use crate::demands::{self, share};
+use crate::policies::entry::Entry;
 use crate::sharing;
 use crate::{Policy, PolicyError, Situation};
+
+/// Its entry among the [policies](super::POLICIES).
+pub(super) const ENTRY: Entry = Entry {
+    id: "edf",
+    meaning: "demand first; the accelerator takes the frame that is due first",
+    source: "Liu & Layland 1973",
+    make: |_| Ok(Box::new(Edf)),
+};
 
 /// Rates of `demand-first`; the order of frames is the point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

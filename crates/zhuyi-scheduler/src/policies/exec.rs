@@ -21,6 +21,7 @@ pub mod protocol;
 
 pub use fault::{Fault, ProgramError};
 
+use crate::policies::entry::{Entry, UnknownPolicy};
 use crate::{Policy, PolicyError, Situation, sharing};
 use program::{NoAnswer, Program};
 use std::time::Duration;
@@ -28,6 +29,19 @@ use zhuyi_core::camera::FULL_RATE;
 
 /// [Hz] what printed numbers may be off by.
 const PRINTED: f64 = 1e-6;
+
+/// Its entry among the [policies](super::POLICIES).
+pub(super) const ENTRY: Entry = Entry {
+    id: "exec:COMMAND",
+    meaning: "ask a program: one line of JSON in, one out, per decision",
+    source: "",
+    make: |command| {
+        if command.trim().is_empty() {
+            return Err(UnknownPolicy::NoCommand);
+        }
+        Ok(Box::new(Exec::new(command)))
+    },
+};
 
 /// A program that is asked.
 pub struct Exec {

@@ -10,9 +10,17 @@
 //! cut: to compare with an allocation means to have that allocation. The best one comes from [`crate::search`], as in
 //! Suraksha (ISSRE 2021), which looks for the lowest rates that are safe in all scenarios. Left out: what is seen.
 
-use crate::policies::UnknownPolicy;
+use crate::policies::entry::{Entry, UnknownPolicy};
 use crate::{Policy, PolicyError, Situation};
 use zhuyi_core::camera::FULL_RATE;
+
+/// Its entry among the [policies](super::POLICIES).
+pub(super) const ENTRY: Entry = Entry {
+    id: "static:CAMERA=RATE,..",
+    meaning: "these rates throughout; cameras not named share what is left",
+    source: "Suraksha, ISSRE 2021",
+    make: |rates| Ok(Box::new(Static::parse(rates)?)),
+};
 
 /// Rates that never change.
 #[derive(Clone, Debug, PartialEq)]

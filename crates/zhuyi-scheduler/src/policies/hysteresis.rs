@@ -17,8 +17,17 @@
 //! away or waits (reading R15). Left out: changes of the budget, which act at once.
 
 use crate::demands;
+use crate::policies::entry::Entry;
 use crate::sharing;
 use crate::{Policy, PolicyError, Situation};
+
+/// Its entry among the [policies](super::POLICIES).
+pub(super) const ENTRY: Entry = Entry {
+    id: "demand-hysteresis",
+    meaning: "demand first; a demand that falls is kept for a second",
+    source: "our own",
+    make: |_| Ok(Box::new(Hysteresis::default())),
+};
 
 /// Demand first, falling late.
 #[derive(Clone, Debug, PartialEq)]

@@ -15,8 +15,17 @@
 //! floor, unless all others have 30.
 
 use crate::demands::{self, share};
+use crate::policies::entry::Entry;
 use crate::sharing;
 use crate::{Policy, PolicyError, Situation};
+
+/// Its entry among the [policies](super::POLICIES).
+pub(super) const ENTRY: Entry = Entry {
+    id: "importance",
+    meaning: "in proportion to the sum of 1/latency over the actors that a camera covers",
+    source: "the paper, section on a Zhuyi-based system",
+    make: |_| Ok(Box::new(Importance)),
+};
 
 /// In proportion to the importance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

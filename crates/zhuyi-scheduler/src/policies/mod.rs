@@ -4,6 +4,7 @@ pub mod clairvoyant;
 pub mod demand_first;
 pub mod demand_only;
 pub mod edf;
+mod entry;
 pub mod exec;
 pub mod fixed;
 pub mod hysteresis;
@@ -20,6 +21,7 @@ pub use clairvoyant::Clairvoyant;
 pub use demand_first::DemandFirst;
 pub use demand_only::DemandOnly;
 pub use edf::Edf;
+pub use entry::{Entry, UnknownPolicy};
 pub use exec::Exec;
 pub use fixed::Static;
 pub use hysteresis::Hysteresis;
@@ -36,85 +38,24 @@ use std::sync::Arc;
 
 use crate::Policy;
 
-/// The names that [`policy`] knows, each with a line for help texts. Words in capitals stand for what the user writes.
-pub const NAMES: [(&str, &str); 15] = [
-    ("uniform", "the same rate for every camera"),
-    ("proportional", "in proportion to the demand (the paper's)"),
-    ("demand-first", "the demand, then the rest in equal parts"),
-    (
-        "demand-hysteresis",
-        "demand first; a demand that falls is kept for a second",
-    ),
-    (
-        "demand-only",
-        "the demand and no more: what is left of the budget is saved",
-    ),
-    (
-        "phantom",
-        "demand first, counting cars assumed where no camera looks",
-    ),
-    ("phantom-only", "the same demand and no more"),
-    (
-        "importance",
-        "in proportion to the sum of 1/latency over the actors that a camera covers",
-    ),
-    ("rss", "demand first, with the demand of RSS"),
-    ("ttc", "demand first, with the demand of time to collision"),
-    (
-        "pylot",
-        "demand first, with Pylot's deadline, which knows the ego's speed alone",
-    ),
-    (
-        "edf",
-        "demand first, and the accelerator takes the frame with the earliest deadline",
-    ),
-    (
-        "static:CAMERA=RATE,..",
-        "these rates throughout; cameras not named share what is left",
-    ),
-    (
-        "clairvoyant",
-        "demand first, with the demand that follows from the true future",
-    ),
-    (
-        "exec:COMMAND",
-        "ask a program: one line of JSON in, one out, per decision",
-    ),
+/// All policies, in the order of help texts and tables. A policy is added by its file and a line here.
+pub const POLICIES: [Entry; 15] = [
+    uniform::ENTRY,
+    proportional::ENTRY,
+    demand_first::ENTRY,
+    hysteresis::ENTRY,
+    demand_only::ENTRY,
+    phantom::ENTRY,
+    phantom_only::ENTRY,
+    importance::ENTRY,
+    rss::ENTRY,
+    ttc::ENTRY,
+    pylot::ENTRY,
+    edf::ENTRY,
+    fixed::ENTRY,
+    clairvoyant::ENTRY,
+    exec::ENTRY,
 ];
-
-/// Why a name stands for no policy.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum UnknownPolicy {
-    /// No such name.
-    #[error("there is no policy `{name}`")]
-    Name {
-        /// What was asked for.
-        name: String,
-    },
-    /// `exec:` and nothing behind it.
-    #[error("`exec:` needs a command, as in `exec:./my-policy`")]
-    NoCommand,
-    /// Something in `static:..` is not CAMERA=RATE.
-    #[error("`static:` needs CAMERA=RATE,.. such as `static:front=10,left=1`, got `{entry}`")]
-    StaticEntry {
-        /// What stands there.
-        entry: String,
-    },
-    /// A rate in `static:..` is no rate.
-    #[error("the rate of `{camera}` must be above 0 and at most 30 frames per second, got `{got}`")]
-    StaticRate {
-        /// Whose.
-        camera: String,
-        /// What stands there.
-        got: String,
-    },
-    /// A camera stands twice in `static:..`.
-    #[error("`static:` names the camera `{camera}` twice")]
-    StaticTwice {
-        /// Which.
-        camera: String,
-    },
-}
 
 /// Function that makes a policy for one run.
 pub type MakePolicy = Arc<dyn Fn() -> Box<dyn Policy> + Send + Sync>;
@@ -142,36 +83,17 @@ pub fn policy_maker(name: &str) -> Result<MakePolicy, UnknownPolicy> {
 /// ```
 ///
 /// # Errors
-/// If the name is none of [`NAMES`], or what follows its colon makes no sense.
+/// If the name is none of [`POLICIES`], or what follows its colon makes no sense.
 pub fn policy(name: &str) -> Result<Box<dyn Policy>, UnknownPolicy> {
-    if let Some(command) = name.strip_prefix("exec:") {
-        return if command.trim().is_empty() {
-            Err(UnknownPolicy::NoCommand)
-        } else {
-            Ok(Box::new(Exec::new(command)))
-        };
+    let (known, rest) = match name.split_once(':') {
+        Some((known, rest)) => (known, Some(rest)),
+        None => (name, None),
+    };
+    let fits = |entry: &&Entry| entry.name() == known && entry.takes_more() == rest.is_some();
+    match POLICIES.iter().find(fits) {
+        Some(entry) => (entry.make)(rest.unwrap_or_default()),
+        None => Err(UnknownPolicy::Name {
+            name: name.to_string(),
+        }),
     }
-    if let Some(rates) = name.strip_prefix("static:") {
-        return Ok(Box::new(Static::parse(rates)?));
-    }
-    Ok(match name {
-        "uniform" => Box::new(Uniform),
-        "proportional" => Box::new(Proportional),
-        "demand-first" => Box::new(DemandFirst),
-        "demand-hysteresis" => Box::new(Hysteresis::default()),
-        "demand-only" => Box::new(DemandOnly),
-        "phantom" => Box::new(Phantom),
-        "phantom-only" => Box::new(PhantomOnly),
-        "importance" => Box::new(Importance),
-        "rss" => Box::new(Rss),
-        "ttc" => Box::new(Ttc),
-        "pylot" => Box::new(Pylot),
-        "edf" => Box::new(Edf),
-        "clairvoyant" => Box::new(Clairvoyant),
-        _ => {
-            return Err(UnknownPolicy::Name {
-                name: name.to_string(),
-            });
-        }
-    })
 }

@@ -6,8 +6,17 @@
 //! this demand is there in time. Source: our own. Left out: memory of what was seen there a moment ago.
 
 use crate::demands::{self, share};
+use crate::policies::entry::Entry;
 use crate::sharing;
 use crate::{Policy, PolicyError, Situation};
+
+/// Its entry among the [policies](super::POLICIES).
+pub(super) const ENTRY: Entry = Entry {
+    id: "phantom",
+    meaning: "demand first, counting cars assumed where no camera looks",
+    source: "our own",
+    make: |_| Ok(Box::new(Phantom)),
+};
 
 /// The demand with phantoms first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

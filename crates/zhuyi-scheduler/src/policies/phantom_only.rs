@@ -4,8 +4,17 @@
 //! what `demand-only` is to `demand-first`. Source: our own. Left out: what was before.
 
 use crate::demands::{self, share};
+use crate::policies::entry::Entry;
 use crate::sharing;
 use crate::{Policy, PolicyError, Situation};
+
+/// Its entry among the [policies](super::POLICIES).
+pub(super) const ENTRY: Entry = Entry {
+    id: "phantom-only",
+    meaning: "the same demand and no more",
+    source: "our own",
+    make: |_| Ok(Box::new(PhantomOnly)),
+};
 
 /// The demand with phantoms and no more.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

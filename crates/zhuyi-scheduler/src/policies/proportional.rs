@@ -10,8 +10,17 @@
 //! all of them here. Left out: that a quiet camera, too, takes a share of what is more than enough.
 
 use crate::demands::{self, share};
+use crate::policies::entry::Entry;
 use crate::sharing;
 use crate::{Policy, PolicyError, Situation};
+
+/// Its entry among the [policies](super::POLICIES).
+pub(super) const ENTRY: Entry = Entry {
+    id: "proportional",
+    meaning: "in proportion to the demand (the paper's)",
+    source: "the paper, section on a Zhuyi-based system",
+    make: |_| Ok(Box::new(Proportional)),
+};
 
 /// In proportion to the demand.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -5,8 +5,17 @@
 //! Left out by the model: who is there. Pylot itself chooses among networks by its deadline, not among cameras.
 
 use crate::demands::{self, share};
+use crate::policies::entry::Entry;
 use crate::sharing;
 use crate::{Policy, PolicyError, Situation};
+
+/// Its entry among the [policies](super::POLICIES).
+pub(super) const ENTRY: Entry = Entry {
+    id: "pylot",
+    meaning: "demand first, with Pylot's deadline, which knows the ego's speed alone",
+    source: "Gog et al., ICRA 2021, EuroSys 2022 (D3)",
+    make: |_| Ok(Box::new(Pylot)),
+};
 
 /// The demand of Pylot's deadline first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -5,8 +5,17 @@
 //! Shalev-Shwartz, Shammah & Shashua, arXiv 1708.06374. RSS itself knows of no cameras. Left out: lateral responses.
 
 use crate::demands::{self, share};
+use crate::policies::entry::Entry;
 use crate::sharing;
 use crate::{Policy, PolicyError, Situation};
+
+/// Its entry among the [policies](super::POLICIES).
+pub(super) const ENTRY: Entry = Entry {
+    id: "rss",
+    meaning: "demand first, with the demand of RSS",
+    source: "Shalev-Shwartz et al., arXiv 1708.06374",
+    make: |_| Ok(Box::new(Rss)),
+};
 
 /// The demand of RSS first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

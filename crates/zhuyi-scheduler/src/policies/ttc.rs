@@ -5,8 +5,17 @@
 //! Left out by the measure: how hard anybody can brake.
 
 use crate::demands::{self, share};
+use crate::policies::entry::Entry;
 use crate::sharing;
 use crate::{Policy, PolicyError, Situation};
+
+/// Its entry among the [policies](super::POLICIES).
+pub(super) const ENTRY: Entry = Entry {
+    id: "ttc",
+    meaning: "demand first, with the demand of time to collision",
+    source: "Hayward 1972",
+    make: |_| Ok(Box::new(Ttc)),
+};
 
 /// The demand of TTC first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

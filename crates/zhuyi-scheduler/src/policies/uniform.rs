@@ -6,8 +6,17 @@
 //!
 //! B is the budget [Hz], n the number of cameras. The baseline of all comparisons. Left out: everything that is known.
 
+use crate::policies::entry::Entry;
 use crate::{Policy, PolicyError, Situation};
 use zhuyi_core::camera::FULL_RATE;
+
+/// Its entry among the [policies](super::POLICIES).
+pub(super) const ENTRY: Entry = Entry {
+    id: "uniform",
+    meaning: "the same rate for every camera",
+    source: "the fixed rates of the paper's experiments",
+    make: |_| Ok(Box::new(Uniform)),
+};
 
 /// Every camera the same.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -159,7 +159,7 @@ fn hand_a_situation_without_sense_is_an_error_for_every_policy() {
         |scene| *scene.demand(IMPORTANCE, 1) = f64::INFINITY,
         |scene| scene.rates[1] = -1.0,
     ];
-    let names = zhuyi_scheduler::NAMES.map(|(name, _)| match name {
+    let names = zhuyi_scheduler::POLICIES.map(|entry| match entry.id {
         "static:CAMERA=RATE,.." => "static:front=2",
         "exec:COMMAND" => "exec:false",
         name => name,

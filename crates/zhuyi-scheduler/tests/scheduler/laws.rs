@@ -4,14 +4,12 @@ use crate::situation::{RIG, Scene, any_budget, any_demand, any_scene};
 use proptest::prelude::*;
 use zhuyi_core::camera::FULL_RATE;
 use zhuyi_scheduler::sharing;
-use zhuyi_scheduler::{NAMES, policy};
+use zhuyi_scheduler::{POLICIES, policy};
 
 /// Names of the policies that need nothing but their name.
 fn plain() -> impl Iterator<Item = &'static str> {
-    NAMES
-        .into_iter()
-        .map(|(name, _)| name)
-        .filter(|name| !name.contains(':'))
+    let plain = POLICIES.into_iter().filter(|entry| !entry.takes_more());
+    plain.map(|entry| entry.id)
 }
 
 fn assert_within(rates: &[f64], budget: f64, who: &str) -> Result<(), TestCaseError> {

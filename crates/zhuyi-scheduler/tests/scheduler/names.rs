@@ -1,15 +1,17 @@
 //! The registry and what it refuses.
 
-use zhuyi_scheduler::{NAMES, policy};
+use zhuyi_scheduler::{POLICIES, policy};
 
 #[test]
 fn law_every_listed_name_makes_a_policy_of_that_name() {
-    for (name, about) in NAMES {
-        let name = name
+    for entry in POLICIES {
+        let name = entry
+            .id
             .replace("CAMERA=RATE,..", "front=10,left=1")
             .replace("COMMAND", "true");
         assert_eq!(policy(&name).unwrap().name(), name);
-        assert!(!about.is_empty());
+        assert!(!entry.meaning.is_empty());
+        assert_eq!(entry.source.is_empty(), entry.name() == "exec");
     }
 }
 
