@@ -165,6 +165,7 @@ fn law_phantoms_allocate_nothing() {
         ego: &ego,
         bodies: &bodies,
         path: |s: f64| Pose::new(s, 0.0, 0.0),
+        straight_until: None,
     };
     let (estimator, params) = (Estimator::new(Params::default()), PhantomParams::default());
     let mut demands = [estimator.quiet(); 2];

@@ -136,6 +136,9 @@ pub struct Surroundings<'a, P> {
     pub bodies: &'a [Body],
     /// The world pose of a place on the ego's path, by its `s` on the road.
     pub path: P,
+    /// [m] the `s` up to where the path goes straight on from the ego, a metre in the world for each of `s`; none where that
+    /// is not known. The answers are the same, and cost less.
+    pub straight_until: Option<f64>,
 }
 
 impl<P: Fn(f64) -> Pose> Surroundings<'_, P> {
@@ -159,7 +162,7 @@ impl<P: Fn(f64) -> Pose> Surroundings<'_, P> {
     /// let rig = [Watch { camera: &camera, current_latency: 1.0 / 30.0 }];
     /// let edge = PhantomParams { footprint: car(0.0, 0.0).footprint, ..PhantomParams::default() };
     /// let rears = |bodies: &[Body], params: &PhantomParams| -> Vec<f64> {
-    ///     let around = Surroundings { ego: &car(0.0, 10.0), bodies, path: |s: f64| Pose::new(s, 0.0, 0.0) };
+    ///     let around = Surroundings { ego: &car(0.0, 10.0), bodies, path: |s: f64| Pose::new(s, 0.0, 0.0), straight_until: None };
     ///     around.phantoms(&rig, params).map(|phantom| phantom.s - 2.0).collect()
     /// };
     /// let alone = rears(&[], &edge);
@@ -200,7 +203,7 @@ impl Estimator {
     ///     extent: Footprint { length: 4.0, width: 2.0 },
     ///     speed: 10.0, accel: 0.0, s_rate: 10.0, d_rate: 0.0,
     /// };
-    /// let around = Surroundings { ego: &ego, bodies: &[], path: |s: f64| Pose::new(s, 0.0, 0.0) };
+    /// let around = Surroundings { ego: &ego, bodies: &[], path: |s: f64| Pose::new(s, 0.0, 0.0), straight_until: None };
     ///
     /// let estimator = Estimator::new(Params::default());
     /// let mut demands = [estimator.quiet(); 2];

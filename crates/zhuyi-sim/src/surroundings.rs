@@ -20,7 +20,12 @@ pub fn surroundings<'a>(
 ) -> Surroundings<'a, impl Fn(f64) -> Pose + 'a> {
     let d = ego.road.d;
     let path = move |s: f64| road.world_from_road(Frenet { s, d });
-    Surroundings { ego, bodies, path }
+    Surroundings {
+        ego,
+        bodies,
+        path,
+        straight_until: road.straight_until(ego.road.s),
+    }
 }
 
 /// The body that a track speaks of.

@@ -13,10 +13,11 @@
 //! Places are looked at in steps of [`STEP`], and an edge between two of them is bisected. The walk ends where the path
 //! has left the range of all cameras, or at the latest after twice the range, should the path wind within it. To answer
 //! for demands, places are passed over that are in view only of cameras that have a phantom already: one further on
-//! asks them for no more, and to find out whether a place is seen is what costs. Left out: what a path that has left the
-//! range may come back to.
+//! asks them for no more, and to find out whether a place is seen is what costs. On a straight path a stretch of it is looked
+//! at like one long box: where that is in plain sight, so is every place in it. Left out: what a path that has left the range
+//! may come back to.
 
-use zhuyi_core::{Body, Camera, Point, Pose};
+use zhuyi_core::{Body, Camera, Footprint, Point, Pose};
 
 use super::{EXACT, Phantom, PhantomParams, STEP, Surroundings};
 use super::{Hiders, View};
@@ -33,6 +34,14 @@ pub struct Phantoms<'a, P> {
     /// [m] where the centre of a phantom has no room, from and up to, by the first bodies in its way.
     taken: [(f64, f64); READY],
     params: &'a PhantomParams,
+    /// [m] up to where the path is known to be straight; the least number where it is not.
+    straight_until: f64,
+    /// [m] up to where nobody takes a place, from the one that is looked at next on.
+    room_until: f64,
+    /// [m] up to where some camera is known to see every place, from the one that is looked at next on ...
+    seen_until: f64,
+    /// ... and how far that is to be tried for next.
+    stride: f64,
     /// [m] the place that is looked at next ...
     next: f64,
     /// ... and what is right before it.
@@ -43,9 +52,14 @@ pub struct Phantoms<'a, P> {
     reach: f64,
     /// The cameras that have a phantom and need no other; none where all edges are asked for.
     served: Option<Served>,
-    /// A place that all other cameras plainly do not have in view, and how far [m] from it that is sure.
+    /// A place that all other cameras plainly do not have in view, and how far [m] from it that is sure ...
     out_of_view: (Point, f64),
+    /// ... which is up to here [m] where the path is straight.
+    out_of_view_until: f64,
 }
+
+/// [m] a first stretch of a straight path that is looked at at once.
+const STRIDE: f64 = 8.0 * STEP;
 
 /// Cameras that are made ready.
 const READY: usize = 8;
@@ -96,12 +110,17 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
             hiders: Hiders::new(around.bodies),
             taken: taken(around, params),
             params,
+            straight_until: around.straight_until.unwrap_or(f64::NEG_INFINITY),
+            room_until: f64::NEG_INFINITY,
+            seen_until: f64::NEG_INFINITY,
+            stride: STRIDE,
             next: from,
             before: Before::Nothing,
             from,
             reach: ranges.fold(0.0, f64::max) + params.footprint.length + STEP,
             served: None,
             out_of_view: (Point::default(), 0.0),
+            out_of_view_until: f64::NEG_INFINITY,
         }
     }
 
@@ -141,13 +160,15 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
     }
 
     fn concerned(&self, place: usize, pose: Pose) -> bool {
-        self.view(place).concerns(self.params.footprint, pose)
+        self.ask(place, |view| view.concerns(self.params.footprint, pose))
     }
 
-    /// A camera of the rig.
-    fn view(&self, place: usize) -> View<'a> {
-        let ready = self.views.get(place).copied().flatten();
-        ready.unwrap_or_else(|| View::new(self.rig[place].camera, self.around.ego.pose))
+    /// Asks a camera of the rig.
+    fn ask<T>(&self, place: usize, ask: impl FnOnce(&View<'a>) -> T) -> T {
+        match self.views.get(place) {
+            Some(Some(view)) => ask(view),
+            _ => ask(&View::new(self.rig[place].camera, self.around.ego.pose)),
+        }
     }
 
     /// Whether a camera that has no phantom yet has a place in view; all matter until the first stands.
@@ -163,7 +184,8 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
         let pose = (self.around.path)(s);
         let mut sure = f64::INFINITY;
         for place in (0..self.rig.len()).filter(|place| served & Served::bit(*place) == 0) {
-            let (concerned, margin) = self.view(place).concerns_for(self.params.footprint, pose);
+            let footprint = self.params.footprint;
+            let (concerned, margin) = self.ask(place, |view| view.concerns_for(footprint, pose));
             if concerned {
                 return Some((true, pose.point(), 0.0));
             }
@@ -174,6 +196,9 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
 
     /// Whether no camera without a phantom has a place in view, mostly as it is near one of which this is known.
     fn is_out_of_view(&mut self, s: f64) -> bool {
+        if s < self.out_of_view_until {
+            return true;
+        }
         let (known, sure) = self.out_of_view;
         if sure > 0.0 {
             let Pose { x, y, .. } = (self.around.path)(s);
@@ -185,6 +210,7 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
             return false;
         };
         self.out_of_view = (point, sure);
+        self.out_of_view_until = (s + sure).min(self.straight_until);
         true
     }
 
@@ -215,6 +241,36 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
         !self.rig.iter().any(|watch| in_range(watch.camera))
     }
 
+    /// The same of the place that is looked at next, mostly as it lies in a stretch of which this is known.
+    fn is_seen(&mut self, s: f64) -> bool {
+        if s <= self.seen_until {
+            return true;
+        }
+        let to = (s + self.stride)
+            .min(self.straight_until)
+            .min(self.room_until);
+        if to > s {
+            if self.sees_all(s, to) {
+                self.seen_until = to;
+                self.stride *= 2.0;
+                return true;
+            }
+            self.stride = (self.stride / 2.0).max(STEP);
+        }
+        self.seen(s)
+    }
+
+    /// Whether one camera plainly sees every phantom with its centre on a straight part of the path.
+    fn sees_all(&self, from: f64, to: f64) -> bool {
+        let Footprint { length, width } = self.params.footprint;
+        let length = length + (to - from);
+        let middle = (self.around.path)(f64::midpoint(from, to));
+        (0..self.rig.len()).any(|place| {
+            let all = Footprint { length, width };
+            self.ask(place, |view| view.sees_all_of(all, middle, &self.hiders))
+        })
+    }
+
     /// Whether some camera sees a phantom with its centre at `s`.
     fn seen(&self, s: f64) -> bool {
         let pose = (self.around.path)(s);
@@ -224,8 +280,9 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
             ..
         } = *self.params;
         (0..self.rig.len()).any(|place| {
-            let view = self.view(place);
-            view.sees(footprint, pose, &self.hiders, visible_share)
+            self.ask(place, |view| {
+                view.sees(footprint, pose, &self.hiders, visible_share)
+            })
         })
     }
 
@@ -233,21 +290,28 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
     /// centre at `s`; none where there is room.
     fn behind_taken(&self, s: f64) -> Option<f64> {
         let mut free = s;
-        loop {
-            let ready = self
-                .taken
-                .iter()
-                .take_while(|(from, _)| *from < f64::INFINITY);
-            let others = self.around.bodies.iter().skip(READY);
-            let others = others.filter_map(|body| room_of(body, self.around.ego, self.params));
-            // Compared in this form, so that a round passes over a body whatever is rounded.
-            let mut all = ready.copied().chain(others);
-            let Some((_, end)) = all.find(|(from, to)| *from < free && free < *to) else {
-                break;
-            };
+        // Compared in this form, so that a round passes over a body whatever is rounded.
+        let blocks = |free: f64| move |(from, to): &(f64, f64)| *from < free && free < *to;
+        while let Some((_, end)) = self.all_taken().find(blocks(free)) {
             free = end;
         }
         (free > s).then_some(free)
+    }
+
+    /// From a place on that has room, up to where there is room.
+    fn room_from(&self, s: f64) -> f64 {
+        let begins = self.all_taken().map(|(from, _)| from);
+        begins
+            .filter(|from| *from >= s)
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    /// Where bodies leave no room, from and up to.
+    fn all_taken(&self) -> impl Iterator<Item = (f64, f64)> {
+        let ready = self.taken.iter().copied();
+        let ready = ready.take_while(|(from, _)| *from < f64::INFINITY);
+        let others = self.around.bodies.iter().skip(READY);
+        ready.chain(others.filter_map(|body| room_of(body, self.around.ego, self.params)))
     }
 }
 
@@ -277,15 +341,20 @@ impl<P: Fn(f64) -> Pose> Iterator for Phantoms<'_, P> {
     fn next(&mut self) -> Option<Phantom> {
         while self.next - self.from <= 2.0 * self.reach {
             let s = self.next;
-            if let Some(free) = self.behind_taken(s) {
-                (self.next, self.before) = (free, Before::Taken);
-            } else if !matches!(self.before, Before::Seen(_)) && self.is_out_of_view(s) {
+            if s > self.room_until {
+                if let Some(free) = self.behind_taken(s) {
+                    (self.next, self.before) = (free, Before::Taken);
+                    continue;
+                }
+                self.room_until = self.room_from(s);
+            }
+            if !matches!(self.before, Before::Seen(_)) && self.is_out_of_view(s) {
                 // Behind a seen place none is passed over: between the two may lie the limit of the range.
                 (self.next, self.before) = (s + STEP, Before::PassedOver(s));
                 if self.ends(s) {
                     break;
                 }
-            } else if self.seen(s) {
+            } else if self.is_seen(s) {
                 (self.next, self.before) = (s + STEP, Before::Seen(s));
             } else if let Some(edge) = self.edge(s) {
                 // The same place once more, from here on: another camera may have got it in view meanwhile.

@@ -10,7 +10,7 @@
 
 use zhuyi_core::camera::Sector;
 use zhuyi_core::occlusion::Outline;
-use zhuyi_core::{Body, Camera, Footprint, Point, Pose};
+use zhuyi_core::{Axes, Body, Camera, Footprint, Point, Pose};
 
 use super::EXACT;
 use super::outline::{self, concerns};
@@ -130,7 +130,11 @@ impl<'a> View<'a> {
             .holds_plainly(pose.point(), reach(footprint) + 2.0 * EXACT)
         {
             Some((false, _)) => false,
-            Some((true, margin)) if self.is_clear(footprint, pose, margin, hiders) => true,
+            Some((true, margin))
+                if margin >= reach(footprint) && self.is_clear(footprint, pose, hiders) =>
+            {
+                true
+            }
             _ => outline::in_sight(self.camera, self.eye, footprint, pose).is_some_and(|outline| {
                 self.visible_share(&outline, footprint, pose, hiders) >= share
             }),
@@ -148,7 +152,8 @@ impl<'a> View<'a> {
         }
         let plain = self.sector.holds_plainly(pose.point(), reach(footprint));
         if let Some((true, margin)) = plain
-            && self.is_clear(footprint, pose, margin, hiders)
+            && margin >= reach(footprint)
+            && self.is_clear(footprint, pose, hiders)
         {
             return true;
         }
@@ -167,39 +172,58 @@ impl<'a> View<'a> {
         outline::visible_share(outline, (footprint, pose), view, hiders.bodies)
     }
 
-    /// Whether all of a box is plainly visible, given by how far [m] its centre is inside the sector.
-    fn is_clear(&self, footprint: Footprint, pose: Pose, margin: f64, hiders: &Hiders<'_>) -> bool {
-        if margin < reach(footprint) {
+    /// Whether a box is in plain sight: all of it in view and range, and no body before any of it. So is every box that lies
+    /// in it.
+    pub(super) fn sees_all_of(
+        &self,
+        footprint: Footprint,
+        pose: Pose,
+        hiders: &Hiders<'_>,
+    ) -> bool {
+        let footprint = Footprint {
+            length: footprint.length + 2.0 * ACROSS,
+            width: footprint.width + 2.0 * ACROSS,
+        };
+        // What a camera covers is convex where it tells plainly.
+        let held =
+            |corner: &Point| matches!(self.sector.holds_plainly(*corner, 0.0), Some((true, _)));
+        footprint.corners(pose).iter().all(held) && self.is_clear(footprint, pose, hiders)
+    }
+
+    /// Whether plainly no body lies between the eye and a box: each lies behind the eye, or beyond a line that has the eye
+    /// and the box on its other side, along a border of the view of the box or along a side of it.
+    fn is_clear(&self, footprint: Footprint, pose: Pose, hiders: &Hiders<'_>) -> bool {
+        let axes = Axes::new(pose);
+        // In the frame of the box.
+        let eye = axes.local(self.eye.point());
+        let from_eye = |(x, y): (f64, f64)| (x - eye.0, y - eye.1);
+        let (l, w) = (footprint.length / 2.0, footprint.width / 2.0);
+        if eye.0.abs() <= l && eye.1.abs() <= w {
             return false;
         }
-        let corners = footprint.corners(pose).map(|corner| self.seen(corner));
-        let (mut right, mut left) = (corners[0], corners[0]);
-        for corner in &corners[1..] {
-            if cross(right, *corner) < 0.0 {
-                right = *corner;
+        let centre = from_eye((0.0, 0.0));
+        let (mut right, mut left) = (centre, centre);
+        for corner in [(l, w), (l, -w), (-l, -w), (-l, w)].map(from_eye) {
+            if cross(right, corner) < 0.0 {
+                right = corner;
             }
-            if cross(left, *corner) > 0.0 {
-                left = *corner;
+            if cross(left, corner) > 0.0 {
+                left = corner;
             }
         }
-        let outside = corners.iter().all(|corner| dot(corners[0], *corner) > 0.0);
-        let centre = self.seen(pose.point());
-        let distance = dot(centre, centre).sqrt();
-        let beyond = distance * (distance + reach(footprint));
-        outside
-            && hiders.corners().all(|body| {
-                let body = body.map(|corner| self.seen(corner));
-                let all =
-                    |holds: &dyn Fn((f64, f64)) -> bool| body.iter().all(|corner| holds(*corner));
-                all(&|corner| cross(left, corner) > 0.0)
-                    || all(&|corner| cross(right, corner) < 0.0)
-                    || all(&|corner| dot(centre, corner) > beyond)
-                    || all(&|corner| {
-                        [left, right, centre]
-                            .iter()
-                            .all(|ray| dot(*ray, corner) < 0.0)
-                    })
-            })
+        hiders.corners().all(|body| {
+            let body = body.map(|corner| axes.local(corner));
+            let seen = body.map(from_eye);
+            (eye.1 <= w && body.iter().all(|(_, y)| *y > w))
+                || (eye.1 >= -w && body.iter().all(|(_, y)| *y < -w))
+                || (eye.0 <= l && body.iter().all(|(x, _)| *x > l))
+                || (eye.0 >= -l && body.iter().all(|(x, _)| *x < -l))
+                || seen.iter().all(|corner| cross(left, *corner) > 0.0)
+                || seen.iter().all(|corner| cross(right, *corner) < 0.0)
+                || [left, right]
+                    .iter()
+                    .all(|ray| seen.iter().all(|corner| dot(*ray, *corner) < 0.0))
+        })
     }
 
     /// Whether a body lies across the ray to the centre of a box, all of it before the box.

@@ -102,6 +102,7 @@ fn hand_the_limit_of_the_range_is_that_of_the_rig() {
         ego: &ego,
         bodies: &[],
         path,
+        straight_until: None,
     };
     let found: Vec<Phantom> = around.phantoms(&rig, &params).collect();
     let rear: Vec<f64> = found.iter().map(|found| found.s - 2.4).collect();
@@ -142,6 +143,7 @@ fn hand_a_side_camera_has_its_phantom_around_the_bend() {
         ego: &ego,
         bodies: &wall,
         path: |s: f64| arc(40.0, s, 0.0),
+        straight_until: None,
     };
     let found: Vec<Phantom> = around.phantoms(&rig, &params).collect();
     let (first, second) = (found[0], found[1]);
@@ -178,6 +180,7 @@ fn hand_what_reaches_into_view_across_straight_behind_counts() {
             ego: &ego,
             bodies: &[],
             path: |s: f64| Pose::new(s, 0.0, 0.0),
+            straight_until: None,
         };
         let params = PhantomParams::default();
         let found = around.phantoms(&[watch(&camera)], &params).next().unwrap();
@@ -203,6 +206,7 @@ fn hand_a_path_that_never_leaves_the_range_has_an_end() {
             ego,
             bodies: &[],
             path,
+            straight_until: None,
         };
         let mut phantoms = around.phantoms(&rig, &params);
         let count = phantoms.by_ref().count();
@@ -327,7 +331,7 @@ proptest! {
         let (ego, cameras) = (body(CAR, 0.0, 0.0, 10.0), rig(turned));
         let (bodies, params) = (bodies(radius, &others), PhantomParams::default());
         let watches: Vec<Watch<'_>> = cameras.iter().map(watch).collect();
-        let around = Surroundings { ego: &ego, bodies: &bodies, path: |s: f64| arc(radius, s, 0.0) };
+        let around = Surroundings { ego: &ego, bodies: &bodies, path: |s: f64| arc(radius, s, 0.0), straight_until: None };
         let found: Vec<Phantom> = around.phantoms(&watches, &params).collect();
         let Some(any) = found.first().copied() else { return Err(TestCaseError::reject("nothing is seen")) };
         let plain = Plain { radius, bodies: &bodies, cameras: &cameras, ego: &ego, any };
@@ -367,7 +371,7 @@ proptest! {
         let (ego, cameras) = (body(CAR, 0.0, 0.0, speed), rig(turned));
         let bodies = bodies(radius, &others);
         let watches: Vec<Watch<'_>> = cameras.iter().map(watch).collect();
-        let around = Surroundings { ego: &ego, bodies: &bodies, path: |s: f64| arc(radius, s, 0.0) };
+        let around = Surroundings { ego: &ego, bodies: &bodies, path: |s: f64| arc(radius, s, 0.0), straight_until: None };
         let params = PhantomParams { speed: ahead, headway, ..PhantomParams::default() };
         let estimator = Estimator::new(Params::default());
         let mut demands = vec![estimator.quiet(); cameras.len()];
@@ -398,11 +402,48 @@ proptest! {
         with.extend(bodies(radius, &[(at, if right { -d } else { d }, length)]));
         let watches: Vec<Watch<'_>> = cameras.iter().map(watch).collect();
         let nearest = |bodies: &[Body]| {
-            let around = Surroundings { ego: &ego, bodies, path: |s: f64| arc(radius, s, 0.0) };
+            let around = Surroundings { ego: &ego, bodies, path: |s: f64| arc(radius, s, 0.0), straight_until: None };
             around.phantoms(&watches, &PhantomParams::default()).next().map(|phantom| phantom.s)
         };
         if let (Some(with), Some(without)) = (nearest(&with), nearest(&without)) {
             prop_assert!(without >= with - 2e-3, "{without} without, {with} with");
         }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 3_000, failure_persistence: None, rng_seed: RngSeed::Fixed(2022), ..ProptestConfig::default() })]
+
+    /// A path that is known to be straight, all of it or up to somewhere, has the phantoms that it has place by place, to the
+    /// last bit.
+    #[test]
+    fn law_a_straight_path_has_the_same_phantoms_by_stretches(
+        others in prop::collection::vec((-20.0..130.0_f64, -6.0..6.0_f64, -0.4..0.4_f64, 0.3..14.0_f64), 0..7),
+        (turned, heading, known) in (-1.5..1.5_f64, -3.0..3.0_f64, prop_oneof![Just(f64::INFINITY), -10.0..150.0_f64]),
+        (headway, visible_share) in (0.0..1.0_f64, prop_oneof![Just(0.5), Just(1.0), 0.0..1.0_f64]),
+        out_of_line in prop_oneof![Just(0.0), -0.3..0.3_f64],
+    ) {
+        let road = Pose::new(-7.0, 11.0, heading);
+        let path = |s: f64| {
+            let at = road.offset(s, 0.0);
+            Pose::new(at.x, at.y, heading)
+        };
+        let ego = Body { pose: Pose { heading: heading + out_of_line, ..path(0.0) }, ..body(CAR, 0.0, 0.0, 10.0) };
+        let bodies: Vec<Body> = others.into_iter().map(|(s, d, turn, length)| {
+            let at = road.offset(s, d);
+            let footprint = Footprint { length, width: 2.0 };
+            Body { pose: Pose::new(at.x, at.y, heading + turn), ..body(footprint, s, d, 5.0) }
+        }).collect();
+        let cameras = rig(turned);
+        let watches: Vec<Watch<'_>> = cameras.iter().map(watch).collect();
+        let params = PhantomParams { headway, visible_share, ..PhantomParams::default() };
+        let estimator = Estimator::new(Params::default());
+        let found = |straight_until: Option<f64>| {
+            let around = Surroundings { ego: &ego, bodies: &bodies, path, straight_until };
+            let mut demands = [estimator.quiet(); 5];
+            estimator.add_phantoms(&around, &watches, &params, &mut demands);
+            (around.phantoms(&watches, &params).collect::<Vec<_>>(), demands)
+        };
+        prop_assert_eq!(found(Some(known)), found(None));
     }
 }

@@ -49,7 +49,12 @@ pub fn body(footprint: Footprint, s: f64, d: f64, speed: f64) -> Body {
 pub fn rears(ego: &Body, bodies: &[Body], cameras: &[&Camera], params: &PhantomParams) -> Vec<f64> {
     let rig: Vec<Watch<'_>> = cameras.iter().copied().map(watch).collect();
     let path = |s: f64| Pose::new(s, ego.road.d, 0.0);
-    let around = Surroundings { ego, bodies, path };
+    let around = Surroundings {
+        ego,
+        bodies,
+        path,
+        straight_until: Some(f64::INFINITY),
+    };
     let rear = |found: Phantom| {
         assert_eq!(found.pose.x, found.s);
         found.s - params.footprint.length / 2.0
@@ -154,6 +159,7 @@ fn hand_a_bend_hides_what_is_around_it() {
         ego: &ego,
         bodies: &[wall],
         path,
+        straight_until: Some(f64::INFINITY),
     }
     .phantoms(&[watch(&camera)], &PhantomParams::default())
     .next()
@@ -179,7 +185,7 @@ proptest! {
         let mut bodies = vec![body(CAR, gap + 4.8, 0.0, lead)];
         bodies.extend(beside.map(|(s, speed)| body(CAR, s, 3.5, speed)));
         let path = |s: f64| Pose::new(s, 0.0, 0.0);
-        let around = Surroundings { ego: &ego, bodies: &bodies, path };
+        let around = Surroundings { ego: &ego, bodies: &bodies, path, straight_until: Some(f64::INFINITY) };
         let estimator = Estimator::new(Params::default());
         let start = Ego { s: 0.0, d: 0.0, speed, accel: 0.0, footprint: CAR };
         let asked = |headway: f64| {
@@ -209,7 +215,7 @@ proptest! {
         let bodies: Vec<Body> = others.into_iter().map(place).collect();
         let path = |s: f64| Pose::new(s, 0.0, 0.0);
         let params = PhantomParams::default();
-        let found = Surroundings { ego: &ego, bodies: &bodies, path }.phantoms(&[watch(&camera)], &params).next().unwrap();
+        let found = Surroundings { ego: &ego, bodies: &bodies, path, straight_until: Some(f64::INFINITY) }.phantoms(&[watch(&camera)], &params).next().unwrap();
         let taken = |s: f64| bodies.iter().any(|body| body.road.d.abs() < 1.9 && (body.road.s - s).abs() < 4.8 - 1e-9);
         let share = |s: f64| visible_share(&camera, ego.pose, CAR, path(s), &bodies);
         prop_assert!(!taken(found.s));
