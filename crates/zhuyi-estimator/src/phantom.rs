@@ -46,7 +46,7 @@ use zhuyi_core::{Across, Along, Body, Camera, Footprint, Pose};
 use crate::demand::Answers;
 use crate::{Demand, Ego, Estimator, Future, Watch};
 pub use edges::Phantoms;
-pub use view::{Along as ViewAlong, Hiders, View};
+pub use view::{Hiders, Sight, View};
 
 /// [m] how far apart places are looked at.
 pub const STEP: f64 = 1.0;
@@ -218,12 +218,14 @@ impl Estimator {
         params: &PhantomParams,
         demands: &mut [Demand],
     ) {
-        for phantom in around.phantoms(rig, params).nearest_of_each_camera() {
-            self.add_phantom(around.ego, &phantom, params.footprint, rig, demands);
+        let mut phantoms = around.phantoms(rig, params).nearest_of_each_camera();
+        while let Some(phantom) = phantoms.next() {
+            let counts = |place| phantoms.concerned(place, phantom.pose);
+            self.add_phantom(around.ego, &phantom, params.footprint, rig, demands, counts);
         }
     }
 
-    /// What one phantom asks of a rig, likewise.
+    /// What one phantom asks of a rig, likewise; `counts` says for which cameras it counts, by their places.
     pub fn add_phantom(
         &self,
         body: &Body,
@@ -231,11 +233,12 @@ impl Estimator {
         footprint: Footprint,
         rig: &[Watch<'_>],
         demands: &mut [Demand],
+        counts: impl Fn(usize) -> bool,
     ) {
         let (ego, future) = (Ego::from(body), phantom.future());
         let mut answers = Answers::default();
-        for (watch, demand) in rig.iter().zip(demands) {
-            if phantom.counts_for(watch.camera, body.pose, footprint) {
+        for (place, (watch, demand)) in rig.iter().zip(demands).enumerate() {
+            if counts(place) {
                 let ask = |l_0: f64| self.trajectory(&ego, footprint, &future, l_0);
                 self.add(demand, None, answers.of(watch.current_latency, ask));
             }

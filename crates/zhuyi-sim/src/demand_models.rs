@@ -15,10 +15,8 @@
 use std::sync::Arc;
 
 use zhuyi_core::{Body, Road, Track};
-use zhuyi_estimator::phantom::{View, ViewAlong};
-use zhuyi_estimator::{
-    Demand, Estimator, Future, Moment, Phantom, PhantomParams, SafetyModel, Seen, Watch,
-};
+use zhuyi_estimator::phantom::View;
+use zhuyi_estimator::{Demand, Estimator, Future, Moment, PhantomParams, SafetyModel, Seen, Watch};
 use zhuyi_metrics::safety_models::SafetyModels;
 use zhuyi_scenario::System;
 use zhuyi_scheduler::demands::{IMPORTANCE, OFFLINE, PHANTOM, ZHUYI};
@@ -166,14 +164,16 @@ impl DemandModels {
             params: &params,
         });
         let footprint = params.footprint;
-        for ((watch, view), demand) in rig.iter().zip(&views).zip(&mut demands) {
-            // The nearest asks for the most.
-            let mut view = ViewAlong::new(*view);
-            let in_view = |phantom: &&Phantom| view.concerns(footprint, phantom.pose);
-            if let Some(nearest) = self.uncleared.phantoms().find(in_view) {
-                let (rig, demand) = (std::slice::from_ref(watch), std::slice::from_mut(demand));
+        // The nearest asks for the most.
+        let nearest = |camera: usize| self.uncleared.nearest(camera);
+        let nearest: Vec<_> = (0..rig.len()).map(nearest).collect();
+        for (camera, of_camera) in nearest.iter().enumerate() {
+            if let Some((_, phantom)) = of_camera
+                && !nearest[..camera].contains(of_camera)
+            {
+                let counts = |camera: usize| nearest[camera] == *of_camera;
                 self.estimator
-                    .add_phantom(ego, nearest, footprint, rig, demand);
+                    .add_phantom(ego, phantom, footprint, rig, &mut demands, counts);
             }
         }
         demands.iter().map(|demand| demand.fpr).collect()

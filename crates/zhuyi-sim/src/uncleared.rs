@@ -18,30 +18,49 @@
 //! believed to be half in sight may be hidden yet. Places are [`SPACING`] apart. Left out: what may have moved into a place that was cleared.
 
 use zhuyi_core::approach::{gap, in_the_way};
-use zhuyi_core::{Across, Along, Body, Frenet, Road};
-use zhuyi_estimator::phantom::{Hiders, View, ViewAlong};
+use zhuyi_core::{Across, Along, Body, Footprint, Frenet, Road};
+use zhuyi_estimator::phantom::{Hiders, Sight, View};
 use zhuyi_estimator::{Phantom, PhantomParams};
 use zhuyi_perception::Eye;
 
 /// [m] between two places.
 const SPACING: f64 = 5.0;
 
-/// [-] the share of a place that must be visible, but for rounding.
-const WHOLE: f64 = 1.0 - 1e-9;
-
 /// The places ahead of the ego, nearest first.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Uncleared {
     places: Vec<Place>,
+    /// Of each camera, how it has each place.
+    seen: Vec<Vec<Seen>>,
     begun: bool,
 }
 
 #[derive(Clone, Debug)]
 struct Place {
     phantom: Phantom,
+    /// Whether a body, as it stands, is where the phantom would be.
+    taken: bool,
+    /// By the camera that has had it in sight for longest.
+    sighted: Sighted,
     cleared: bool,
-    /// Of each camera that has it in sight, how many frames it had processed when it came into sight.
-    since: Vec<Option<u64>>,
+}
+
+/// How long a place has been in sight.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Sighted {
+    /// It is hidden.
+    Not,
+    Briefly,
+    LongEnough,
+}
+
+/// How a camera has a place.
+#[derive(Clone, Copy, Debug, Default)]
+struct Seen {
+    /// Whether some of it is in view, hidden or not.
+    in_view: bool,
+    /// If it is in sight, how many frames the camera had processed when it came into sight.
+    since: Option<u64>,
 }
 
 /// What the ego knows when it looks.
@@ -65,7 +84,13 @@ impl Uncleared {
         let nearest = look.ego.front() + look.params.footprint.length / 2.0;
         let ranges = look.eyes.iter().map(|eye| eye.camera.range);
         let furthest = look.ego.road.s + ranges.fold(0.0, f64::max);
-        self.places.retain(|place| place.phantom.s >= nearest);
+        self.seen.resize_with(look.eyes.len(), Vec::new);
+        let passed = |place: &Place| place.phantom.s < nearest;
+        let passed = self.places.partition_point(passed);
+        self.places.drain(..passed);
+        for seen in &mut self.seen {
+            seen.drain(..passed);
+        }
         let mut index = self.places.last().map_or_else(
             || (nearest / SPACING).ceil(),
             |place| place.phantom.s / SPACING + 1.0,
@@ -74,18 +99,35 @@ impl Uncleared {
             self.places.push(Place::new(index * SPACING, look));
             index += 1.0;
         }
-        let hiders = Hiders::new(look.bodies);
-        let mut views: Vec<_> = look.views.iter().copied().map(ViewAlong::new).collect();
         for place in &mut self.places {
-            place.look(look, &mut views, &hiders, !self.begun);
+            place.taken = look.bodies.iter().any(|body| place.is_under(body, look));
+            place.sighted = Sighted::Not;
+        }
+        let hiders = Hiders::new(look.bodies);
+        let cameras = look.eyes.iter().zip(look.views).zip(look.processed);
+        for (((eye, view), processed), seen) in cameras.zip(&mut self.seen) {
+            seen.resize(self.places.len(), Seen::default());
+            let mut sight = Sight::new(view, &hiders);
+            for (place, seen) in self.places.iter_mut().zip(seen) {
+                place.look(seen, &mut sight, look.params.footprint, *processed, eye);
+            }
+        }
+        for place in &mut self.places {
+            place.cleared = place.taken
+                || match place.sighted {
+                    Sighted::Not => false,
+                    Sighted::Briefly => place.cleared || !self.begun,
+                    Sighted::LongEnough => true,
+                };
         }
         self.begun = true;
     }
 
-    /// The places that are not cleared, nearest first, as phantoms.
-    pub fn phantoms(&self) -> impl Iterator<Item = &Phantom> {
-        let uncleared = self.places.iter().filter(|place| !place.cleared);
-        uncleared.map(|place| &place.phantom)
+    /// The nearest place in view of a camera that is not cleared: its index and its phantom.
+    pub fn nearest(&self, camera: usize) -> Option<(usize, &Phantom)> {
+        let mut places = self.places.iter().zip(self.seen.get(camera)?).enumerate();
+        let nearest = places.find(|(_, (place, seen))| !place.cleared && seen.in_view);
+        nearest.map(|(index, (place, _))| (index, &place.phantom))
     }
 }
 
@@ -103,38 +145,34 @@ impl Place {
                     d_rate: 0.0,
                 }],
             },
+            taken: false,
+            sighted: Sighted::Not,
             cleared: false,
-            since: vec![None; look.eyes.len()],
         }
     }
 
+    /// Looks at it with one camera, which has processed so many frames.
     fn look(
         &mut self,
-        look: &Look<'_>,
-        views: &mut [ViewAlong<'_>],
-        hiders: &Hiders<'_>,
-        at_start: bool,
+        seen: &mut Seen,
+        sight: &mut Sight<'_>,
+        footprint: Footprint,
+        processed: u64,
+        eye: &Eye,
     ) {
-        if look.bodies.iter().any(|body| self.is_under(body, look)) {
-            self.cleared = true;
-            self.since.fill(None);
-            return;
-        }
-        let (footprint, pose) = (look.params.footprint, self.phantom.pose);
-        let (mut hidden, mut long_enough) = (true, at_start);
-        let cameras = look.eyes.iter().zip(views).zip(look.processed);
-        for (((eye, view), processed), since) in cameras.zip(&mut self.since) {
-            let in_sight =
-                view.concerns(footprint, pose) && view.view().shows(footprint, pose, hiders, WHOLE);
-            if in_sight {
-                hidden = false;
-                let first = *since.get_or_insert(*processed);
-                long_enough |= processed - first > u64::from(eye.confirm_frames);
+        let pose = self.phantom.pose;
+        seen.in_view = sight.concerns(footprint, pose);
+        if seen.in_view && !self.taken && sight.shows_all(footprint, pose) {
+            let since = *seen.since.get_or_insert(processed);
+            let long_enough = processed - since > u64::from(eye.confirm_frames);
+            self.sighted = self.sighted.max(if long_enough {
+                Sighted::LongEnough
             } else {
-                *since = None;
-            }
+                Sighted::Briefly
+            });
+        } else {
+            seen.since = None;
         }
-        self.cleared = !hidden && (self.cleared || long_enough);
     }
 
     /// Whether a body, as it stands, is where the phantom would be.
@@ -149,7 +187,7 @@ impl Place {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use zhuyi_core::{Camera, Footprint, Pose};
+    use zhuyi_core::{Camera, Pose};
     use zhuyi_perception::OwnErrors;
 
     const CAR: Footprint = Footprint {
@@ -205,7 +243,8 @@ mod tests {
                 processed: &[*processed],
                 params: &params,
             });
-            places.phantoms().map(|phantom| phantom.s).collect()
+            let uncleared = places.places.iter().filter(|place| !place.cleared);
+            uncleared.map(|place| place.phantom.s).collect()
         };
         looks.iter().map(after).collect()
     }

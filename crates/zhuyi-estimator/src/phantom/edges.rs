@@ -61,6 +61,9 @@ pub struct Phantoms<'a, P> {
 /// [m] a first stretch of a straight path that is looked at at once.
 const STRIDE: f64 = 8.0 * STEP;
 
+/// [m] how far before whoever takes a place such a stretch ends.
+const CLEAR: f64 = 0.01;
+
 /// Cameras that are made ready.
 const READY: usize = 8;
 
@@ -159,7 +162,8 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
         (0..self.rig.len()).any(gains)
     }
 
-    fn concerned(&self, place: usize, pose: Pose) -> bool {
+    /// Whether a camera of the rig has a phantom in view.
+    pub(super) fn concerned(&self, place: usize, pose: Pose) -> bool {
         self.ask(place, |view| view.concerns(self.params.footprint, pose))
     }
 
@@ -214,6 +218,15 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
         true
     }
 
+    /// Passes over the places that come next, as long as nothing about them is to be found out.
+    fn pass_over(&mut self) {
+        let until = self.out_of_view_until.min(self.room_until);
+        while self.next < until && self.next - self.from <= self.reach {
+            self.before = Before::PassedOver(self.next);
+            self.next += STEP;
+        }
+    }
+
     /// Notes whom a phantom at `pose` serves.
     fn serve(&mut self, pose: Pose) {
         let Some(Served(mut served)) = self.served else {
@@ -246,9 +259,12 @@ impl<'a, P: Fn(f64) -> Pose> Phantoms<'a, P> {
         if s <= self.seen_until {
             return true;
         }
-        let to = (s + self.stride)
-            .min(self.straight_until)
-            .min(self.room_until);
+        // Where the place before is taken, whoever takes it mostly hides this one.
+        let room_until = match self.before {
+            Before::Taken => s,
+            _ => self.room_until - CLEAR,
+        };
+        let to = (s + self.stride).min(self.straight_until).min(room_until);
         if to > s {
             if self.sees_all(s, to) {
                 self.seen_until = to;
@@ -351,6 +367,7 @@ impl<P: Fn(f64) -> Pose> Iterator for Phantoms<'_, P> {
             if !matches!(self.before, Before::Seen(_)) && self.is_out_of_view(s) {
                 // Behind a seen place none is passed over: between the two may lie the limit of the range.
                 (self.next, self.before) = (s + STEP, Before::PassedOver(s));
+                self.pass_over();
                 if self.ends(s) {
                     break;
                 }

@@ -3,10 +3,12 @@
 //! | question | plain yes | plain no | else |
 //! |---|---|---|---|
 //! | is some of it in view and range | its centre is | its circle lies beyond a border or the range | by its outline |
-//! | is this share of it visible | its circle is in view, and every body lies aside of it | all is asked for, and a body lies across the ray to its centre, before it | by its outline and theirs |
+//! | is this share of it visible | its circle is in view, and no body is before it | a body is before all of it; or all is asked for, and a body lies across the ray to its centre, before it | by its outline and theirs |
 //!
-//! The circle of a box is the one around it; a body lies aside where all its corners are to the left of the leftmost corner of the
-//! box, or all to the right of its rightmost, or all beyond it, or all behind the eye.
+//! The circle of a box is the one around it. No body is before a box where each lies behind the eye, or beyond a line that
+//! has the eye and the box on its other side.
+
+use std::f64::consts::PI;
 
 use zhuyi_core::camera::Sector;
 use zhuyi_core::occlusion::Outline;
@@ -18,8 +20,11 @@ use super::outline::{self, concerns};
 /// [m] how far to both sides of a ray a body must reach to hide something for sure.
 const ACROSS: f64 = 1e-3;
 
-/// [-] from this share on, all is asked for but for rounding: to hide a millimetre is enough.
-const ALL: f64 = 1.0 - 1e-8;
+/// [-] all of a box, but for rounding: to hide a millimetre of it is more.
+const WHOLE: f64 = 1.0 - 1e-9;
+
+/// [-] nothing of a box, but for rounding.
+const NONE: f64 = 1e-9;
 
 /// Bodies that are made ready.
 const READY: usize = 16;
@@ -43,32 +48,33 @@ impl<'a> Hiders<'a> {
 
     /// The corners of each.
     fn corners(&self) -> impl Iterator<Item = [Point; 4]> {
-        let ready = self.corners.iter().copied().take(self.bodies.len());
+        let ready = self.corners[..self.bodies.len().min(READY)].iter().copied();
         let others = self.bodies.iter().skip(READY);
         ready.chain(others.map(|body| body.footprint.corners(body.pose)))
     }
 }
 
-/// A camera at an instant that is asked about one place of a box after the other, mostly near the one before.
+/// A camera at an instant with whom it may look past, asked about one place of a box after the other, mostly near the one
+/// before.
 #[derive(Clone, Copy, Debug)]
-pub struct Along<'a> {
-    view: View<'a>,
+pub struct Sight<'a> {
+    view: &'a View<'a>,
+    hiders: &'a Hiders<'a>,
+    /// The first bodies as the camera sees them, from when it is first asked who hides a box.
+    screens: Option<[Option<Screen>; READY]>,
     /// A place, whether the box is in view there, and how far [m] from it that is sure.
     known: (Point, bool, f64),
 }
 
-impl<'a> Along<'a> {
+impl<'a> Sight<'a> {
     /// A view that has not been asked.
-    pub fn new(view: View<'a>) -> Self {
+    pub fn new(view: &'a View<'a>, hiders: &'a Hiders<'a>) -> Self {
         Self {
             view,
+            hiders,
+            screens: None,
             known: (Point::default(), false, 0.0),
         }
-    }
-
-    /// The view.
-    pub fn view(&self) -> &View<'a> {
-        &self.view
     }
 
     /// As [`View::concerns`], always of the same box.
@@ -80,6 +86,87 @@ impl<'a> Along<'a> {
         let (concerned, sure) = self.view.concerns_for(footprint, pose);
         self.known = (pose.point(), concerned, sure);
         concerned
+    }
+
+    /// Whether all of a box is visible, but for rounding, at any distance (reading R17).
+    pub fn shows_all(&mut self, footprint: Footprint, pose: Pose) -> bool {
+        let screens = self
+            .screens
+            .get_or_insert_with(|| self.view.screens(self.hiders));
+        let (centre, reach) = (self.view.seen(pose.point()), reach(footprint));
+        let distance = dot(centre, centre).sqrt();
+        // A box that is wider than the field of view may be hidden beside it alone. Here sin(x) >= 2x / pi.
+        let fits = reach * PI <= distance * self.view.camera.fov.min(PI);
+        let hides = |screen: &Screen| screen.hides_some(centre, distance, distance - reach);
+        let mut screens = screens.iter().map_while(|screen| screen.as_ref());
+        if fits && screens.any(hides) {
+            return false;
+        }
+        let plain = self.view.sector.holds_plainly(pose.point(), reach);
+        if let Some((true, margin)) = plain
+            && margin >= reach
+            && self.view.is_clear(footprint, pose, self.hiders)
+        {
+            return true;
+        }
+        let outline = Outline::new(self.view.eye, footprint, pose);
+        self.view
+            .visible_share(&outline, footprint, pose, self.hiders)
+            >= WHOLE
+    }
+}
+
+/// A body that an eye sees under less than half a turn, by its corners as seen from there.
+#[derive(Clone, Copy, Debug)]
+struct Screen {
+    /// The rightmost corner.
+    right: (f64, f64),
+    /// The leftmost.
+    left: (f64, f64),
+    /// [m] how far the furthest is.
+    reaches: f64,
+}
+
+impl Screen {
+    /// None where it is not plain that the eye sees it so.
+    fn new(corners: [(f64, f64); 4]) -> Option<Self> {
+        let (mut right, mut left, mut furthest) = (corners[0], corners[0], 0.0_f64);
+        for corner in corners {
+            if dot(corners[0], corner) <= 0.0 {
+                return None;
+            }
+            if cross(right, corner) < 0.0 {
+                right = corner;
+            }
+            if cross(left, corner) > 0.0 {
+                left = corner;
+            }
+            furthest = furthest.max(dot(corner, corner));
+        }
+        Some(Self {
+            right,
+            left,
+            reaches: furthest.sqrt(),
+        })
+    }
+
+    /// Whether it lies across the ray to the `centre` of a box, so far away [m], and nearer than any of the box.
+    fn hides_some(&self, centre: (f64, f64), distance: f64, nearest: f64) -> bool {
+        let side = ACROSS * distance;
+        self.reaches < nearest
+            && cross(self.right, centre) > side
+            && cross(centre, self.left) > side
+    }
+
+    /// Whether it lies across every ray to a box, before it.
+    fn hides_all(&self, corners: &[(f64, f64); 4]) -> bool {
+        let across = (self.left.0 - self.right.0, self.left.1 - self.right.1);
+        corners.iter().all(|corner| {
+            let from_right = (corner.0 - self.right.0, corner.1 - self.right.1);
+            cross(self.right, *corner) > 0.0
+                && cross(*corner, self.left) > 0.0
+                && cross(across, from_right) < 0.0
+        })
     }
 }
 
@@ -135,30 +222,11 @@ impl<'a> View<'a> {
             {
                 true
             }
+            _ if share > NONE && self.is_hidden(footprint, pose, hiders) => false,
             _ => outline::in_sight(self.camera, self.eye, footprint, pose).is_some_and(|outline| {
                 self.visible_share(&outline, footprint, pose, hiders) >= share
             }),
         }
-    }
-
-    /// The same of a box at any distance.
-    pub fn shows(&self, footprint: Footprint, pose: Pose, hiders: &Hiders<'_>, share: f64) -> bool {
-        if share >= ALL
-            && hiders
-                .corners()
-                .any(|body| self.is_across(&body, footprint, pose))
-        {
-            return false;
-        }
-        let plain = self.sector.holds_plainly(pose.point(), reach(footprint));
-        if let Some((true, margin)) = plain
-            && margin >= reach(footprint)
-            && self.is_clear(footprint, pose, hiders)
-        {
-            return true;
-        }
-        let outline = Outline::new(self.eye, footprint, pose);
-        self.visible_share(&outline, footprint, pose, hiders) >= share
     }
 
     fn visible_share(
@@ -226,22 +294,23 @@ impl<'a> View<'a> {
         })
     }
 
-    /// Whether a body lies across the ray to the centre of a box, all of it before the box.
-    fn is_across(&self, body: &[Point; 4], footprint: Footprint, pose: Pose) -> bool {
-        let centre = self.seen(pose.point());
-        let distance = dot(centre, centre).sqrt();
-        let (side, front) = (ACROSS * distance, distance * (distance - reach(footprint)));
-        let (mut to_the_left, mut to_the_right) = (false, false);
-        for corner in body {
-            let corner = self.seen(*corner);
-            let (aside, ahead) = (cross(centre, corner), dot(centre, corner));
-            if ahead <= 0.0 || ahead >= front {
-                return false;
-            }
-            to_the_left |= aside > side;
-            to_the_right |= aside < -side;
+    /// Whether a single body plainly hides all of a box.
+    fn is_hidden(&self, footprint: Footprint, pose: Pose, hiders: &Hiders<'_>) -> bool {
+        let corners = footprint.corners(pose).map(|corner| self.seen(corner));
+        hiders.corners().any(|body| {
+            let screen = Screen::new(body.map(|corner| self.seen(corner)));
+            screen.is_some_and(|screen| screen.hides_all(&corners))
+        })
+    }
+
+    /// The first bodies that are plain to see, then none.
+    fn screens(&self, hiders: &Hiders<'_>) -> [Option<Screen>; READY] {
+        let mut screens = [None; READY];
+        let seen = |body: [Point; 4]| Screen::new(body.map(|corner| self.seen(corner)));
+        for (place, screen) in screens.iter_mut().zip(hiders.corners().filter_map(seen)) {
+            *place = Some(screen);
         }
-        to_the_left && to_the_right
+        screens
     }
 
     /// A point from the eye.
@@ -272,7 +341,7 @@ mod tests {
     #[test]
     fn law_what_is_plain_is_what_the_outlines_say() {
         let mut rng = ChaCha8Rng::seed_from_u64(17);
-        let mut counts = [0_u32; 6];
+        let mut counts = [0_u32; 8];
         for _ in 0..60_000 {
             let mut within = |from: f64, to: f64| rng.random_range(from..to);
             let camera = Camera {
@@ -300,17 +369,7 @@ mod tests {
             let bodies: Vec<Body> = (0..3)
                 .map(|_| {
                     let (footprint, pose) = any_box(120.0);
-                    Body {
-                        footprint,
-                        pose,
-                        road: zhuyi_core::Frenet::default(),
-                        turn: 0.0,
-                        extent: footprint,
-                        speed: 0.0,
-                        accel: 0.0,
-                        s_rate: 0.0,
-                        d_rate: 0.0,
-                    }
+                    body(footprint, pose)
                 })
                 .collect();
             let bodies = &bodies[..(within(0.0, 4.0) as usize).min(3)];
@@ -322,20 +381,104 @@ mod tests {
             let hiders = Hiders::new(bodies);
             let outline = Outline::new(eye, footprint, pose);
             let shown = view.visible_share(&outline, footprint, pose, &hiders) >= share;
-            let told = view.shows(footprint, pose, &hiders, share);
+            let seen = outline::in_sight(&camera, eye, footprint, pose).is_some() && shown;
             assert_eq!(
-                told, shown,
+                view.sees(footprint, pose, &hiders, share),
+                seen,
                 "{camera:?} {ego:?} {footprint:?} {pose:?} {bodies:?} {share}"
             );
-            let seen = outline::in_sight(&camera, eye, footprint, pose).is_some() && shown;
-            assert_eq!(view.sees(footprint, pose, &hiders, share), seen);
-            let across = |body: [Point; 4]| view.is_across(&body, footprint, pose);
-            let hidden = hiders.corners().any(across);
-            let facts = [concerned, !concerned, shown, !shown, seen, hidden];
+            let whole = view.visible_share(&outline, footprint, pose, &hiders) >= WHOLE;
+            let all = Sight::new(&view, &hiders).shows_all(footprint, pose);
+            assert_eq!(
+                all, whole,
+                "{camera:?} {ego:?} {footprint:?} {pose:?} {bodies:?}"
+            );
+            let hidden = view.is_hidden(footprint, pose, &hiders);
+            let clear = view.sees_all_of(footprint, pose, &hiders);
+            let facts = [
+                concerned, !concerned, shown, !shown, seen, hidden, whole, clear,
+            ];
             for (count, fact) in counts.iter_mut().zip(facts) {
                 *count += u32::from(fact);
             }
         }
-        assert!(counts.iter().all(|count| *count > 3_000), "{counts:?}");
+        assert!(counts.iter().all(|count| *count > 2_000), "{counts:?}");
+    }
+
+    /// Where a long box is in plain sight, so is every box in it.
+    #[test]
+    fn law_a_box_in_one_that_is_seen_is_seen() {
+        let mut rng = ChaCha8Rng::seed_from_u64(18);
+        let mut stretches = 0;
+        for _ in 0..60_000 {
+            let mut within = |from: f64, to: f64| rng.random_range(from..to);
+            let camera = Camera {
+                name: "any".into(),
+                forward: within(-2.0, 2.0),
+                left: within(-1.0, 1.0),
+                yaw: within(-0.5, 0.5),
+                fov: within(0.3, 3.1),
+                range: within(20.0, 150.0),
+                analysed: true,
+            };
+            let ego = Pose::new(within(-50.0, 50.0), within(-50.0, 50.0), within(-3.2, 3.2));
+            let car = Footprint {
+                length: within(0.5, 6.0),
+                width: within(0.5, 3.0),
+            };
+            let (ahead, length) = (within(2.0, 60.0), within(0.0, 60.0));
+            let aside = within(-4.0, 4.0);
+            let at = |ahead: f64, aside: f64, turn: f64| {
+                let centre = ego.offset(ahead, aside);
+                Pose::new(centre.x, centre.y, ego.heading + turn)
+            };
+            let bodies: Vec<Body> = (0..3)
+                .map(|_| {
+                    let turn = within(-0.4, 0.4);
+                    let pose = at(within(-20.0, 120.0), within(-8.0, 8.0), turn);
+                    body(
+                        Footprint {
+                            length: within(0.5, 16.0),
+                            width: within(0.5, 3.0),
+                        },
+                        pose,
+                    )
+                })
+                .collect();
+            let (view, hiders) = (View::new(&camera, ego), Hiders::new(&bodies));
+            let stretch = Footprint {
+                length: car.length + length,
+                ..car
+            };
+            if !view.sees_all_of(stretch, at(ahead + length / 2.0, aside, 0.0), &hiders) {
+                continue;
+            }
+            stretches += 1;
+            for part in [0.0, within(0.0, 1.0), 1.0] {
+                let pose = at(ahead + part * length, aside, 0.0);
+                let eye = camera.pose(ego);
+                let outline = outline::in_sight(&camera, eye, car, pose).expect("in sight");
+                let share = view.visible_share(&outline, car, pose, &hiders);
+                assert!(
+                    share >= WHOLE,
+                    "{camera:?} {ego:?} {car:?} {pose:?} {bodies:?}"
+                );
+            }
+        }
+        assert!(stretches > 3_000, "{stretches}");
+    }
+
+    fn body(footprint: Footprint, pose: Pose) -> Body {
+        Body {
+            footprint,
+            pose,
+            road: zhuyi_core::Frenet::default(),
+            turn: 0.0,
+            extent: footprint,
+            speed: 0.0,
+            accel: 0.0,
+            s_rate: 0.0,
+            d_rate: 0.0,
+        }
     }
 }
