@@ -1,18 +1,14 @@
-//! `runs.csv`: one row per run, with the command that replays it. An empty field says that there is no such figure. What the
-//! columns are is told by `described`, from which the header is made.
+//! `runs.csv`: one row per run, with the command that replays it. An empty field says that there is no such figure. The
+//! columns are those of `described`, from which header, rows and schema are made.
 
 mod described;
 
-use zhuyi_core::camera::FULL_RATE;
 use zhuyi_scenario::System;
-use zhuyi_world::Side;
 
 use crate::columns::{Column, Table};
-use crate::estimators::TABLE;
-use crate::manoeuvres;
 use crate::rates::spelt;
 use crate::sweep::{Cell, Experiment, Record};
-use crate::text::{csv_row, decimals};
+use crate::text::csv_row;
 
 /// How runs are called on the command line, so that each row can tell how to run it again.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -78,6 +74,7 @@ pub fn csv_typed(
     text
 }
 
+use described::Row;
 pub(crate) use described::{NAMED_BY, OUTCOME};
 
 /// The columns of a table of runs.
@@ -108,8 +105,10 @@ impl Columns {
     }
 
     fn names(&self) -> Vec<String> {
-        let columns = self.described().into_iter();
-        columns.map(|column| column.name.into_owned()).collect()
+        let entries = self.entries().into_iter();
+        entries
+            .map(|entry| entry.column.name.into_owned())
+            .collect()
     }
 
     /// The header.
@@ -126,26 +125,15 @@ impl Columns {
         values: &[String],
         record: &Record,
     ) -> String {
-        let cell = &record.cell;
-        let scenario = &experiment.scenarios[cell.scenario];
-        let outcome = if record.collision.is_some() {
-            "collision"
-        } else {
-            "completed"
+        let row = Row {
+            experiment,
+            typed,
+            part,
+            values,
+            record,
         };
-        let mut fields = vec![
-            scenario.name.clone(),
-            part.to_string(),
-            spelt(experiment.system, &cell.rates),
-            cell.seed.to_string(),
-        ];
-        fields.extend(values.iter().cloned());
-        fields.push(outcome.to_string());
-        fields.extend(collision_fields(experiment, record));
-        fields.extend(figures(experiment, record));
-        fields.extend(demand_fields(record));
-        fields.extend(self.of_sweep.then(String::new));
-        fields.push(typed.replay(experiment, cell));
+        let entries = self.entries();
+        let fields: Vec<String> = entries.iter().map(|entry| entry.field(&row)).collect();
         csv_row(fields.iter().map(String::as_str))
     }
 
@@ -162,63 +150,4 @@ impl Columns {
         let named = named.iter().map(String::as_str).chain([outcome]);
         csv_row(named.chain(nothing).chain([reason, replay]))
     }
-}
-
-/// How close a run was and what its cameras did.
-fn figures(experiment: &Experiment<'_>, record: &Record) -> Vec<String> {
-    let extremes = &record.extremes;
-    let duration = record.end.seconds();
-    let mut fields = vec![
-        decimals(Some(duration), 4),
-        decimals(extremes.gap, 4),
-        decimals(extremes.time_to_collision, 4),
-        decimals(Some(extremes.decel), 4),
-        manoeuvres::spelt(
-            &experiment.scenarios[record.cell.scenario],
-            &record.manoeuvres,
-        ),
-    ];
-    let processed = || record.frames.iter().map(|frames| frames.processed);
-    fields.extend(processed().map(|processed| processed.to_string()));
-    let share =
-        |processed: u64| (duration > 0.0).then(|| processed as f64 / (FULL_RATE * duration));
-    fields.extend(processed().map(|processed| decimals(share(processed), 4)));
-    fields
-}
-
-fn collision_fields(experiment: &Experiment<'_>, record: &Record) -> [String; 7] {
-    let Some(collision) = &record.collision else {
-        return Default::default();
-    };
-    let actors = &experiment.scenarios[record.cell.scenario].actors;
-    let side = match collision.side {
-        Side::Front => "front",
-        Side::Rear => "rear",
-        Side::Left => "left",
-        Side::Right => "right",
-    };
-    let impact = collision.impact;
-    [
-        decimals(Some(collision.time.seconds()), 4),
-        actors[collision.actor.index()].name.clone(),
-        side.to_string(),
-        collision.from_behind.to_string(),
-        decimals(impact.map(|impact| impact.speed), 3),
-        decimals(impact.map(|impact| impact.ego_delta_v), 3),
-        decimals(impact.map(|impact| impact.other_delta_v), 3),
-    ]
-}
-
-fn demand_fields(record: &Record) -> [String; 6] {
-    let Some(peaks) = record.peaks.get(TABLE) else {
-        return Default::default();
-    };
-    [
-        decimals(Some(peaks.largest), 4),
-        decimals(Some(peaks.sum), 4),
-        peaks.beyond_grid.to_string(),
-        peaks.unavoidable.to_string(),
-        peaks.alongside.to_string(),
-        peaks.standing.to_string(),
-    ]
 }

@@ -45,7 +45,7 @@
 use csv::Writer;
 use zhuyi_core::ActorId;
 use zhuyi_estimator::{Binding, State, Watch};
-use zhuyi_metrics::criticality::Criticality;
+use zhuyi_metrics::criticality::METRICS;
 
 use crate::evaluation::{Answer, Evaluation};
 use crate::log::Log;
@@ -109,7 +109,8 @@ pub fn cameras_csv(log: &Log, evaluation: &Evaluation, rig: &[Watch<'_>]) -> Str
 /// The text of `criticality.csv`: the metrics of [`zhuyi_metrics::criticality`] for every actor of every step, of an
 /// evaluation that has them.
 pub fn criticality_csv(log: &Log, evaluation: &Evaluation) -> String {
-    let header = ["time_s", "actor"].into_iter().chain(Criticality::COLUMNS);
+    let metrics = METRICS.map(|metric| metric.id);
+    let header = ["time_s", "actor"].into_iter().chain(metrics);
     let mut rows = Rows::new(&header.collect::<Vec<_>>());
     for answers in &evaluation.steps {
         let time = &log.steps()[answers.step].text;

@@ -13,7 +13,7 @@ use zhuyi_log::files::{actors_csv, cameras_csv, criticality_csv, egos_csv};
 use zhuyi_log::{
     Consistency, Evaluation, Log, Replay, Summary, evaluate, evaluate_with_criticality, places_on,
 };
-use zhuyi_metrics::criticality::Limits;
+use zhuyi_metrics::criticality::{Limits, METRICS};
 use zhuyi_scenario::{Kind, Setting, System};
 
 use super::Task;
@@ -30,9 +30,13 @@ use crate::rates::Rates;
 /// The ego of our own traces.
 const DEFAULT_EGO: &str = "ego";
 
-/// `zhuyi estimate` as typed.
-#[derive(Args, Clone, Debug)]
-#[command(after_help = "\
+/// What stands below the options.
+fn help() -> String {
+    let metrics = METRICS.map(|metric| metric.id);
+    format!("{HELP}{}{FILES}", metrics.join(", "))
+}
+
+const HELP: &str = "\
 Examples:
   zhuyi run cut-in --trace cut-in.csv
   zhuyi estimate cut-in.csv --road cut-in --out out          the road's frame, as in the run
@@ -46,11 +50,17 @@ vehicles may appear and vanish. Steps without the ego are skipped.
 
 Writes DIR/actors.csv (time_s, actor, state, latency_s, t_n_s, binding, extrapolated_s, cameras), one row per time and \
 vehicle that is there, in view of a camera or not, DIR/cameras.csv (time_s, camera, latency_s, fpr_hz, actor), and \
-DIR/criticality.csv (time_s, actor, ttc_s, ttc_2d_s, thw_s, drac_mps2, pet_s, ttb_s, btn, impact_mps); with --all-egos \
+DIR/criticality.csv (time_s, actor, ";
+
+const FILES: &str = "); with --all-egos \
 DIR/egos.csv alone (ego, steps, actors, the number of answers of each state none, tolerable, beyond_grid, unavoidable, \
 alongside and standing, the highest demand of an analysed camera as fpr_hz, camera, time_s, actor, and extrapolated_share), one row per \
 vehicle. What there is not is an empty field: t_n_s with the criterion standstill, an actor that nobody asks for. Occlusion is ignored. Past its last row a vehicle keeps its speed and offset. The same command \
-gives the same bytes.")]
+gives the same bytes.";
+
+/// `zhuyi estimate` as typed.
+#[derive(Args, Clone, Debug)]
+#[command(after_help = help())]
 pub struct Arguments {
     /// The trace, a CSV file as zhuyi run --trace writes it
     #[arg(value_name = "TRACE")]

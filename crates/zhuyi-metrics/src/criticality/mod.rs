@@ -99,31 +99,75 @@ pub struct Criticality {
     pub impact_speed: Option<f64>,
 }
 
-impl Criticality {
-    /// Names with units of what [`Criticality::values`] gives, in its order.
-    pub const COLUMNS: [&'static str; 8] = [
-        "ttc_s",
-        "ttc_2d_s",
-        "thw_s",
-        "drac_mps2",
-        "pet_s",
-        "ttb_s",
-        "btn",
-        "impact_mps",
-    ];
+/// A metric as it is known by name.
+#[derive(Clone, Copy)]
+pub struct Metric {
+    /// Name of its column, with its unit.
+    pub id: &'static str,
+    /// Its unit, `-` for a number that has none.
+    pub unit: &'static str,
+    /// What it is, in half a sentence.
+    pub meaning: &'static str,
+    /// Returns it; none where it is undefined.
+    pub value: fn(&Criticality) -> Option<f64>,
+}
 
-    /// The metrics in the order of [`Criticality::COLUMNS`].
-    pub fn values(&self) -> [Option<f64>; 8] {
-        [
-            self.ttc,
-            self.ttc_2d,
-            self.thw,
-            self.drac,
-            self.pet,
-            self.ttb,
-            self.btn,
-            self.impact_speed,
-        ]
+/// All metrics, in the order of `criticality.csv`: header, rows, schema and help are made from them.
+pub const METRICS: [Metric; 8] = [
+    Metric {
+        id: "ttc_s",
+        unit: "s",
+        meaning: "time to collision with what is ahead in the ego's way",
+        value: |of| of.ttc,
+    },
+    Metric {
+        id: "ttc_2d_s",
+        unit: "s",
+        meaning: "time to collision of the two boxes in the plane",
+        value: |of| of.ttc_2d,
+    },
+    Metric {
+        id: "thw_s",
+        unit: "s",
+        meaning: "time headway: gap over the ego's speed",
+        value: |of| of.thw,
+    },
+    Metric {
+        id: "drac_mps2",
+        unit: "m/s2",
+        meaning: "deceleration that avoids the crash",
+        value: |of| of.drac,
+    },
+    Metric {
+        id: "pet_s",
+        unit: "s",
+        meaning: "post-encroachment time",
+        value: |of| of.pet,
+    },
+    Metric {
+        id: "ttb_s",
+        unit: "s",
+        meaning: "time to brake: how long braking can wait",
+        value: |of| of.ttb,
+    },
+    Metric {
+        id: "btn",
+        unit: "-",
+        meaning: "brake threat number: deceleration needed over the largest one",
+        value: |of| of.btn,
+    },
+    Metric {
+        id: "impact_mps",
+        unit: "m/s",
+        meaning: "speed of the impact that braking at once leaves",
+        value: |of| of.impact_speed,
+    },
+];
+
+impl Criticality {
+    /// Returns the metrics in the order of [`METRICS`].
+    pub fn values(&self) -> [Option<f64>; METRICS.len()] {
+        METRICS.map(|metric| (metric.value)(self))
     }
 }
 
@@ -134,7 +178,7 @@ impl Criticality {
 /// so TTB is 4 - 2/2 = 3 s. Nothing happens if it brakes now; if it does not, they collide: PET 0.
 /// ```
 /// use zhuyi_core::{Across, Along, Footprint};
-/// use zhuyi_metrics::criticality::{Criticality, Limits, criticality};
+/// use zhuyi_metrics::criticality::{Limits, METRICS, criticality};
 /// use zhuyi_estimator::{Ego, Future};
 /// let car = Footprint { length: 4.0, width: 2.0 };
 /// let ego = Ego { s: 0.0, d: 0.0, speed: 20.0, accel: 0.0, footprint: car };
@@ -147,7 +191,7 @@ impl Criticality {
 /// assert_eq!((found.drac, found.btn, found.impact_speed), (Some(1.25), Some(0.25), Some(0.0)));
 /// assert!((found.ttb.unwrap() - 3.0).abs() < 1e-12);
 /// assert_eq!(found.pet, Some(0.0));
-/// assert_eq!(Criticality::COLUMNS.iter().zip(found.values()).next(), Some((&"ttc_s", Some(4.0))));
+/// assert_eq!((METRICS[0].id, found.values()[0]), ("ttc_s", Some(4.0)));
 /// ```
 pub fn criticality(
     ego: &Ego,

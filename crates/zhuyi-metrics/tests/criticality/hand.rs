@@ -3,7 +3,7 @@
 use crate::scene::{CAR, Scene, steady};
 use zhuyi_core::{Along, Footprint, Pose};
 use zhuyi_metrics::criticality::boxes::{MovingBox, first_contact};
-use zhuyi_metrics::criticality::{Approach, Criticality, Limits};
+use zhuyi_metrics::criticality::{Approach, Criticality, Limits, METRICS};
 
 fn limits(max_decel: f64) -> Limits {
     Limits {
@@ -25,7 +25,7 @@ fn hand_the_columns_are_the_fields_in_order() {
         impact_speed: None,
     };
     let columns = "ttc_s,ttc_2d_s,thw_s,drac_mps2,pet_s,ttb_s,btn,impact_mps";
-    assert_eq!(Criticality::COLUMNS.join(","), columns);
+    assert_eq!(METRICS.map(|metric| metric.id).join(","), columns);
     let first: Vec<f64> = found.values().into_iter().flatten().collect();
     assert_eq!(first, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);
     assert_eq!(found.values()[7], None);

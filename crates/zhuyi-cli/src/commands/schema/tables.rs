@@ -5,8 +5,11 @@
 //! what it is          the first line of text below
 //! | `column` | type | unit | meaning |
 //! ```
+//!
+//! The metrics of `criticality` come from their registry.
 
 use zhuyi_batch::columns::{Column, Kind, Table};
+use zhuyi_metrics::criticality::{METRICS, Metric};
 
 /// The page.
 const PAGE: &str = include_str!("columns.md");
@@ -33,6 +36,15 @@ pub fn tables() -> Vec<Table> {
             }
         }
     }
+    if let Some(table) = tables.iter_mut().find(|table| table.name == "criticality") {
+        let column = |metric: Metric| {
+            let Metric {
+                id, unit, meaning, ..
+            } = metric;
+            Column::fixed(id, Kind::Number, unit, meaning)
+        };
+        table.columns.extend(METRICS.map(column));
+    }
     tables
 }
 
@@ -49,7 +61,7 @@ fn column(line: &'static str) -> Option<Column> {
 
 #[cfg(test)]
 mod tests {
-    use super::{PAGE, tables};
+    use super::{METRICS, PAGE, tables};
     use zhuyi_estimator::State;
 
     #[test]
@@ -57,6 +69,7 @@ mod tests {
         let lines = |start: &str| PAGE.lines().filter(|line| line.starts_with(start)).count();
         let tables = tables();
         let columns: usize = tables.iter().map(|table| table.columns.len()).sum();
+        let columns = columns - METRICS.len();
         assert_eq!((tables.len(), columns), (lines("## "), lines("| `")));
         let names: std::collections::BTreeSet<&str> =
             tables.iter().map(|table| table.name).collect();
