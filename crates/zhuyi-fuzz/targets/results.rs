@@ -3,10 +3,10 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use zhuyi_studies::committed::Content;
 use zhuyi_batch::diff::Changes;
 use zhuyi_report::sweep::table::Table;
 use zhuyi_report::sweep::{document, worst};
+use zhuyi_studies::committed::Content;
 
 fuzz_target!(|input: &str| {
     let (one, two) = input.split_once("\n---\n").unwrap_or((input, ""));

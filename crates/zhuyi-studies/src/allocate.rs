@@ -13,10 +13,10 @@
 pub mod best_static;
 pub mod drive;
 pub mod feedback;
-mod files;
 mod page;
 pub mod responses;
 pub mod smallest;
+mod table;
 pub mod tally;
 
 use rayon::prelude::*;
@@ -261,7 +261,7 @@ impl Allocated {
         };
         let mut files = vec![
             (md, page::markdown(plan, self)),
-            (csv, files::csv(plan, self)),
+            (csv, table::csv(plan, self)),
         ];
         files.extend(figures);
         Results {

@@ -23,8 +23,8 @@
 //! A cell is unsafe at its first collision and gets no more drives. Left out: what is safe below the MRF (`zhuyi mrf` tells), and
 //! islands between two values of one MRF, which the audit may or may not meet.
 
-mod files;
 mod search;
+mod table;
 
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -158,5 +158,5 @@ impl Boundary {
 /// Searches, and makes the files `boundary.md`, `boundary.csv` and `boundary_samples.csv`.
 pub fn boundary(plan: &Boundary, chosen: &[Vec<Chosen>], progress: &dyn Progress) -> Results {
     let curves = plan.curves(chosen, progress);
-    files::results(plan, &curves)
+    table::results(plan, &curves)
 }

@@ -13,6 +13,7 @@ mod distance;
 mod foresight;
 mod fraction;
 mod required;
+pub mod run;
 mod safe;
 mod sensitivity;
 mod throughput;
@@ -20,10 +21,10 @@ mod work;
 
 use std::fmt::Write as _;
 
-use crate::course::{self as courses, Course};
+use crate::claims::run::course::{self as courses, Course};
 use crate::reproduce::plan::Plan;
+use crate::reproduce::table::Table;
 use crate::reruns::Reruns;
-use crate::table::Table;
 pub use zhuyi_batch::claim::{Claim, Verdict};
 use zhuyi_batch::progress::Progress;
 

@@ -26,11 +26,11 @@ pub mod joint;
 pub mod models;
 pub mod scenes;
 
-mod files;
 mod findings;
 mod ideas;
 mod in_short;
 mod page;
+mod table;
 
 use rayon::prelude::*;
 use zhuyi_core::FrameRates;
@@ -110,10 +110,10 @@ pub fn compare(comparison: &Comparison, progress: &dyn Progress) -> Results {
     Results {
         files: vec![
             ("compare.md", page::markdown(comparison, &compared)),
-            ("compare.csv", files::csv(comparison, &compared)),
+            ("compare.csv", table::csv(comparison, &compared)),
             (
                 "compare_demand.csv",
-                files::demand_csv(comparison, &compared),
+                table::demand_csv(comparison, &compared),
             ),
         ],
         claims: Vec::new(),

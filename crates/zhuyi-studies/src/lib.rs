@@ -10,7 +10,7 @@
 //!  Boundary ──▶ [boundary]: the MRF over a free choice, drives put on the border ──▶ boundary.md, boundary.csv
 //!  PerCamera ──▶ [per_camera]: a rate of its own for each camera ──▶ mrf_per_camera.md, mrf_per_camera.csv
 //!  Allocating ──▶ [allocate]: policies under budgets on the same drives ──▶ allocation.md, allocation.csv
-//!  Plan ──▶ [course], [foresight], [sensitivity], [throughput]: claims 5 to 9 ──▶ claims.md, numbers for figures
+//!  Plan ──▶ [claims::run]: claims 5 to 9 ──▶ claims.md, numbers for figures
 //!  results ──▶ [committed] ──▶ numbers for figures
 //!  Comparison ──▶ [compare]: all models on the same runs ──▶ compare.md, compare.csv, compare_demand.csv
 //! ```
@@ -19,7 +19,7 @@
 //! writing of files are `zhuyi-batch`'s.
 //!
 //! What it guarantees, each shown by a test: the same plan gives the same bytes at any number of threads; no number of the paper's table is
-//! known outside [`paper`].
+//! known outside [`reproduce::paper`].
 
 pub mod allocate;
 pub mod beyond;
@@ -29,19 +29,11 @@ pub mod calibration {}
 pub mod claims;
 pub mod committed;
 pub mod compare;
-pub mod course;
-pub mod foresight;
-pub mod manifest;
 pub mod maps;
-pub mod paper;
 pub mod per_camera;
 pub mod reproduce;
 pub mod reruns;
 pub mod robustness;
-pub mod sensitivity;
-pub mod summary;
-pub mod table;
-pub mod throughput;
 
 pub use allocate::{Allocating, Budgets, allocate};
 pub use beyond::beyond;

@@ -20,9 +20,9 @@ pub mod combinations;
 pub mod search;
 pub mod searched;
 
-mod files;
 mod in_short;
 mod page;
+mod table;
 
 use zhuyi_core::FrameRates;
 use zhuyi_scenario::{Scenario, System};
@@ -93,7 +93,7 @@ pub fn per_camera(plan: &PerCamera, progress: &dyn Progress) -> Results {
     Results {
         files: vec![
             ("mrf_per_camera.md", page::markdown(plan, &found)),
-            ("mrf_per_camera.csv", files::csv(plan, &found)),
+            ("mrf_per_camera.csv", table::csv(plan, &found)),
         ],
         claims: Vec::new(),
         summary: page::summary(plan, &found),

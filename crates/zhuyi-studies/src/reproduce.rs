@@ -8,17 +8,19 @@
 //! ```
 //! Nothing here reads a clock, a path or the machine: the same plan makes the same bytes.
 
+pub mod manifest;
+pub mod page;
+pub mod paper;
 pub mod plan;
+pub mod summary;
+pub mod table;
 
 use zhuyi_estimator::Estimator;
 
 use crate::claims;
-use crate::manifest;
-use crate::paper;
 pub use crate::reproduce::plan::Plan;
+use crate::reproduce::table::Table;
 use crate::reruns::Reruns;
-use crate::summary;
-use crate::table::{Table, files};
 use zhuyi_batch::estimators::VARIANTS;
 use zhuyi_batch::progress::Progress;
 use zhuyi_batch::results::Results;
@@ -46,8 +48,8 @@ pub fn reproduce(plan: &Plan, progress: &dyn Progress) -> Results {
     ];
     Results {
         files: vec![
-            ("table1.md", files::markdown(plan, &table)),
-            ("table1.csv", files::csv(&table)),
+            ("table1.md", page::markdown(plan, &table)),
+            ("table1.csv", page::csv(&table)),
             ("claims.md", claims::markdown(plan, &claims)),
             ("runs.csv", runs::csv(&experiment, &parts)),
             ("manifest.json", manifest::json(plan)),

@@ -12,7 +12,7 @@ use std::ops::Range;
 
 use zhuyi_core::FrameRates;
 
-use crate::paper;
+use crate::reproduce::paper;
 use crate::reproduce::plan::Plan;
 use variations::{Variation, variations};
 use zhuyi_batch::mrf::{Mrf, Required, required};

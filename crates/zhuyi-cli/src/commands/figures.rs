@@ -6,10 +6,11 @@ use std::path::PathBuf;
 use zhuyi_batch::Results;
 use zhuyi_estimator::Estimator;
 use zhuyi_report::plots::{self, File};
+use zhuyi_studies::Plan;
+use zhuyi_studies::claims::run::course::SHOWN;
+use zhuyi_studies::claims::run::foresight::Foresight;
+use zhuyi_studies::claims::run::{course, foresight, sensitivity};
 use zhuyi_studies::committed::{CommittedError, Slowest, Spent, TableRow, slowest, spent, table};
-use zhuyi_studies::course::SHOWN;
-use zhuyi_studies::foresight::Foresight;
-use zhuyi_studies::{Plan, course, foresight, sensitivity};
 
 use super::Task;
 use super::delivery::Place;

@@ -10,7 +10,7 @@ use serde_json::Value;
 use zhuyi_batch::columns::Table;
 use zhuyi_batch::{plan, runs, table};
 use zhuyi_scenario::{System, did_you_mean};
-use zhuyi_studies::manifest;
+use zhuyi_studies::reproduce::manifest;
 
 use super::explain::document::Explanation;
 use super::run::summary::Summary;

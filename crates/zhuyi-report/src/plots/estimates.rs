@@ -3,7 +3,7 @@
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
 use zhuyi_studies::committed::TableRow;
-use zhuyi_studies::paper::RATES;
+use zhuyi_studies::reproduce::paper::RATES;
 
 use super::File;
 use super::sheet::{

@@ -3,7 +3,7 @@
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
 use zhuyi_core::camera::FULL_RATE;
-use zhuyi_studies::course::{Course, SHOWN};
+use zhuyi_studies::claims::run::course::{Course, SHOWN};
 
 use super::File;
 use super::sheet::{
@@ -61,7 +61,7 @@ fn table(course: &Course) -> String {
             .map(|camera| format!("{camera}_latency_ms")),
     );
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
-    let row = |step: &zhuyi_studies::course::Step| {
+    let row = |step: &zhuyi_studies::claims::run::course::Step| {
         let mut row = vec![format!("{:.2}", step.time), format!("{:.4}", step.accel)];
         row.extend(
             step.latencies
@@ -211,7 +211,7 @@ fn told(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use zhuyi_studies::course::Step;
+    use zhuyi_studies::claims::run::course::Step;
 
     #[test]
     fn hand_the_csv_has_every_step() {

@@ -1,7 +1,7 @@
 //! The estimate in the loop beside the one with hindsight, of one camera over a run (claim 8).
 
 use plotters::prelude::*;
-use zhuyi_studies::foresight::{Decision, Foresight};
+use zhuyi_studies::claims::run::foresight::{Decision, Foresight};
 
 use super::File;
 use super::sheet::{Area, Axes, Failure, Style, TITLE, axes, csv, font, line, sample, svg, whole};

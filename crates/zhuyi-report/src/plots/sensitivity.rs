@@ -3,7 +3,7 @@
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
 use zhuyi_estimator::State;
-use zhuyi_studies::sensitivity::{Cell, FASTEST, Map, STEP, speeds};
+use zhuyi_studies::claims::run::sensitivity::{Cell, FASTEST, Map, STEP, speeds};
 
 use super::File;
 use super::sheet::{AXIS, Area, Axes, Failure, NOTE, axes, csv, font, letters, svg, whole};
@@ -155,7 +155,7 @@ fn draw_legend(area: &Area<'_>) -> Result<(), Failure> {
 mod tests {
     use super::*;
     use zhuyi_estimator::{Estimator, Params};
-    use zhuyi_studies::sensitivity::maps;
+    use zhuyi_studies::claims::run::sensitivity::maps;
 
     /// Without the delay 65 mph towards a standing car at 100 m need 9.2 FPR (0.109 s), with it 23.3 (0.043 s).
     #[test]

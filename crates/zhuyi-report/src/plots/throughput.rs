@@ -3,7 +3,9 @@
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
 use zhuyi_core::camera::FULL_RATE;
-use zhuyi_studies::throughput::{CAMERAS, CHIPS, FRAME, FURTHER_MODELS, affordable, demand};
+use zhuyi_studies::claims::run::throughput::{
+    CAMERAS, CHIPS, FRAME, FURTHER_MODELS, affordable, demand,
+};
 
 use super::File;
 use super::sheet::{

@@ -1,7 +1,7 @@
 //! Claim 5: the front camera's demand peaks within a second before the ego brakes hardest; the side cameras ask for little.
 
 use super::{Claim, Verdict};
-use crate::course::{Course, SHOWN};
+use crate::claims::run::course::{Course, SHOWN};
 use zhuyi_batch::text::{cells, markdown_table};
 
 /// [s] how long before the hardest braking the peak may be.
@@ -140,7 +140,7 @@ fn verdict(holding: usize, all: usize) -> Verdict {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::course::Step;
+    use crate::claims::run::course::Step;
 
     fn course(front: &[f64], accel: &[f64], side: f64) -> Course {
         let steps = front.iter().zip(accel).enumerate();

@@ -4,8 +4,8 @@
 use std::fmt::Write as _;
 
 use super::{Claim, Verdict};
-use crate::paper;
-use crate::table::{Row, Table};
+use crate::reproduce::paper;
+use crate::reproduce::table::{Row, Table};
 use zhuyi_batch::estimators::{PAPER, TABLE, VARIANTS};
 use zhuyi_batch::statistics::{mean, mean_absolute_difference, median, rank_correlation};
 use zhuyi_batch::text::{cells, markdown_table, spans};

@@ -4,7 +4,7 @@ use zhuyi_core::FrameRates;
 use zhuyi_core::camera::FULL_RATE;
 
 use super::{Claim, Verdict};
-use crate::foresight::{Decision, Foresight, SHOWN, foresights, of_one_future};
+use crate::claims::run::foresight::{Decision, Foresight, SHOWN, foresights, of_one_future};
 use crate::reproduce::plan::Plan;
 use crate::reruns::again;
 use zhuyi_batch::rates::{own, spelt};

@@ -1,7 +1,7 @@
 //! Claim 3: the fraction of the frames of all analysed cameras at 30 FPR is at most 0.36.
 
 use super::{Claim, Verdict};
-use crate::table::Table;
+use crate::reproduce::table::Table;
 use zhuyi_batch::text::{cells, markdown_table};
 
 /// [-] the paper's bound.

@@ -1,7 +1,7 @@
 //! Claim 1: the MRF of every scenario is the paper's.
 
 use super::{Claim, Verdict};
-use crate::table::Table;
+use crate::reproduce::table::Table;
 use zhuyi_batch::text::{cells, markdown_table};
 
 pub(super) fn claim(table: &Table) -> Claim {

@@ -3,10 +3,10 @@
 use std::fmt::Write as _;
 
 use super::{Claim, Verdict};
-use crate::paper;
+use crate::reproduce::paper;
 use crate::reproduce::plan::Plan;
+use crate::reproduce::table::{Estimates, Row, Table};
 use crate::reruns::{Reruns, Trial};
-use crate::table::{Estimates, Row, Table};
 use zhuyi_batch::estimators::TABLE;
 use zhuyi_batch::mrf::Mrf;
 use zhuyi_batch::rates::spelt;

@@ -3,8 +3,8 @@
 use zhuyi_estimator::{Estimator, State};
 
 use super::{Claim, Verdict};
+use crate::claims::run::sensitivity::{Cell, DISTANCES, Map, maps};
 use crate::reproduce::plan::Plan;
-use crate::sensitivity::{Cell, DISTANCES, Map, maps};
 use zhuyi_batch::text::{cells, markdown_table};
 
 /// [mph] where the streets end.

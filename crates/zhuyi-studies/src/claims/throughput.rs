@@ -1,7 +1,7 @@
 //! Claim 9: twelve cameras at full rate ask for more than one Xavier and less than one Orin offers.
 
 use super::{Claim, Verdict};
-use crate::throughput::{CAMERAS, CHIPS, FRAME, FURTHER_MODELS, affordable, demand};
+use crate::claims::run::throughput::{CAMERAS, CHIPS, FRAME, FURTHER_MODELS, affordable, demand};
 use zhuyi_batch::text::{cells, markdown_table};
 use zhuyi_core::camera::FULL_RATE;
 

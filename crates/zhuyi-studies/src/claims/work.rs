@@ -1,7 +1,7 @@
 //! Claim 7: how much work an estimate is.
 
 use super::{Claim, Verdict};
-use crate::course::Course;
+use crate::claims::run::course::Course;
 use crate::reproduce::plan::Plan;
 use zhuyi_batch::text::{cells, markdown_table};
 use zhuyi_estimator::Estimator;

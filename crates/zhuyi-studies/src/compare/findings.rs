@@ -3,12 +3,12 @@
 use std::fmt::Write as _;
 
 use super::audit::{Moment, Tally};
-use super::files::Total;
 use super::ideas::idea;
 use super::in_short::{in_short, trials_with_collisions};
 use super::models::NEEDED;
 use super::page::percent;
 use super::scenes::Answered;
+use super::table::Total;
 use super::{Compared, Comparison};
 use zhuyi_batch::text::{at_most_two_decimals, counted, listed};
 

@@ -5,9 +5,9 @@
 
 use std::fmt::Write as _;
 
-use super::files::Total;
 use super::models::NEEDED;
 use super::page::percent;
+use super::table::Total;
 use super::{Compared, Comparison};
 use crate::reruns::Rerun;
 use zhuyi_batch::statistics::mean;

@@ -3,10 +3,10 @@
 use std::fmt::Write as _;
 
 use super::audit::Audited;
-use super::files::Total;
 use super::findings;
 use super::in_short::in_short;
 use super::scenes::{self, Answered};
+use super::table::Total;
 use super::{Compared, Comparison};
 use crate::reruns::Rerun;
 use zhuyi_batch::text::{at_most_two_decimals, cells, counted, decimals, markdown_table};

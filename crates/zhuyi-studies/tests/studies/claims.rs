@@ -1,8 +1,8 @@
 use zhuyi_core::FrameRates;
 use zhuyi_studies::Plan;
 use zhuyi_studies::claims::{Claim, Verdict, examine, markdown};
+use zhuyi_studies::reproduce::table::Table;
 use zhuyi_studies::reruns::{Rerun, Reruns, Trial};
-use zhuyi_studies::table::Table;
 
 use crate::small::Came::{self, Asked, Collided};
 use crate::small::{plan, records};

@@ -4,7 +4,8 @@ use zhuyi_batch::rates::uniform;
 use zhuyi_batch::runs::{self, Typed};
 use zhuyi_batch::sweep::{Cell, Impact};
 use zhuyi_core::FrameRates;
-use zhuyi_studies::{Plan, manifest, reproduce};
+use zhuyi_studies::reproduce::manifest;
+use zhuyi_studies::{Plan, reproduce};
 
 use crate::small::Came::{Asked, Collided};
 use crate::small::{plan, records};

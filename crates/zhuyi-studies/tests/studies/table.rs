@@ -1,6 +1,7 @@
 use zhuyi_batch::estimators::TABLE;
 use zhuyi_batch::mrf::Mrf;
-use zhuyi_studies::table::{Table, files};
+use zhuyi_studies::reproduce::page;
+use zhuyi_studies::reproduce::table::Table;
 
 use crate::small::Came::{Asked, Collided};
 use crate::small::{plan, records};
@@ -56,8 +57,8 @@ fn hand_a_scenario_without_a_safe_rate_has_no_sum_and_no_fraction() {
         (row.required.mrf, row.largest_sum, row.fraction),
         (Mrf::Above(30), None, None)
     );
-    assert!(files::csv(&table).contains("cut-out,mrf,,>30,2\n"));
-    assert!(files::csv(&table).contains("cut-out,fraction,exact,,0.12\n"));
+    assert!(page::csv(&table).contains("cut-out,mrf,,>30,2\n"));
+    assert!(page::csv(&table).contains("cut-out,fraction,exact,,0.12\n"));
 }
 
 #[test]
@@ -73,7 +74,7 @@ fn hand_the_long_form_has_ours_beside_the_papers() {
         Asked(6.5),
         Asked(7.0),
     ];
-    let csv = files::csv(&Table::new(&plan, &records(&plan, &came)));
+    let csv = page::csv(&Table::new(&plan, &records(&plan, &came)));
     let expected = "\
 scenario,quantity,solver,ours,paper
 cut-out,mrf,,2,2
@@ -101,7 +102,7 @@ cut-out,fraction,exact,0.1000,0.12
 fn hand_the_page_shows_both_rows_and_the_odd_ones() {
     let plan = plan(&["cut-out-fast"], &[5, 6, 7], 1);
     let table = Table::new(&plan, &records(&plan, &[Asked(9.0), Collided, Asked(30.0)]));
-    let page = files::markdown(&plan, &table);
+    let page = page::markdown(&plan, &table);
     let words = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
     let lines: Vec<String> = page.lines().map(words).collect();
     for expected in [

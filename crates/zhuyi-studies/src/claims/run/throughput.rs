@@ -30,7 +30,7 @@ pub const CHIPS: [(&str, f64); 2] = [("Xavier", 30.0), ("Orin", 275.0)];
 ///
 /// 433 GOP x 1.2 x 12 cameras x 30 FPR = 187 TOPS.
 /// ```
-/// use zhuyi_studies::throughput::demand;
+/// use zhuyi_studies::claims::run::throughput::demand;
 /// assert_eq!(demand(30.0, true).round(), 187.0);
 /// assert_eq!(demand(30.0, false).round(), 156.0);
 /// ```
@@ -47,7 +47,7 @@ pub fn demand(rate: f64, with_further_models: bool) -> f64 {
 ///
 /// One frame of each of 12 cameras is 6.2352 TOP: Xavier's 30 are spent at 4.81 FPR.
 /// ```
-/// assert!((zhuyi_studies::throughput::affordable(30.0) - 4.8114).abs() < 1e-4);
+/// assert!((zhuyi_studies::claims::run::throughput::affordable(30.0) - 4.8114).abs() < 1e-4);
 /// ```
 pub fn affordable(tops: f64) -> f64 {
     tops / demand(1.0, true)

@@ -11,7 +11,7 @@ use crate::reproduce::plan::Plan;
 use zhuyi_batch::schema::{self, SCHEMA};
 
 /// The lock file of the workspace at build time.
-const LOCK: &str = include_str!("../../../Cargo.lock");
+const LOCK: &str = include_str!("../../../../Cargo.lock");
 
 /// The crate whose dependencies do the computing.
 const COMPUTING: &str = "zhuyi-sim";

@@ -5,13 +5,11 @@
 //! ```
 //! A cell has no estimate where a run of it collided. The largest sum is that of all runs at rates from the MRF on.
 
-pub mod files;
-
 use zhuyi_core::camera::FULL_RATE;
 use zhuyi_scenario::System;
 use zhuyi_sim::Peaks;
 
-use crate::paper;
+use crate::reproduce::paper;
 use crate::reproduce::plan::Plan;
 use zhuyi_batch::estimators::{TABLE, VARIANTS};
 use zhuyi_batch::mrf::{Mrf, Required, required};

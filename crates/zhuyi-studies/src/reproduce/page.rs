@@ -7,9 +7,9 @@
 
 use std::fmt::Write as _;
 
-use crate::paper;
+use crate::reproduce::paper;
 use crate::reproduce::plan::Plan;
-use crate::table::{Estimates, Row, Table, Tested};
+use crate::reproduce::table::{Estimates, Row, Table, Tested};
 use zhuyi_batch::estimators::{TABLE, VARIANTS};
 use zhuyi_batch::text::{cells, csv_row, decimals, markdown_table, spans};
 

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::reproduce::plan::Plan;
-use crate::table::{Row, Table};
+use crate::reproduce::table::{Row, Table};
 use zhuyi_batch::claim::Claim;
 use zhuyi_batch::text::{cells, markdown_table};
 
@@ -13,7 +13,7 @@ pub fn text(plan: &Plan, table: &Table, claims: &[Claim]) -> String {
         "scenario", "MRF", "paper", "sum", "paper", "fraction", "paper",
     ]);
     let line = |row: &Row| {
-        let paper = |figure: fn(&crate::paper::Row) -> String| {
+        let paper = |figure: fn(&crate::reproduce::paper::Row) -> String| {
             row.paper.as_ref().map_or(String::new(), figure)
         };
         vec![

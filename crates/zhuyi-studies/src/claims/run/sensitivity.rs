@@ -109,7 +109,7 @@ impl Map {
 /// on the grid, 23.3 FPR.
 /// ```
 /// use zhuyi_estimator::{Estimator, Params, State};
-/// use zhuyi_studies::sensitivity::{MPH, answer};
+/// use zhuyi_studies::claims::run::sensitivity::{MPH, answer};
 /// let estimator = Estimator::new(Params::default());
 /// let towards_a_standing_car = |frames| answer(&estimator, frames, (65.0 * MPH, 0.0), 100.0);
 /// assert_eq!(towards_a_standing_car(0), (State::Tolerable, Some(0.109)));
