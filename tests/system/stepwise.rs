@@ -3,9 +3,9 @@
 use rayon::prelude::*;
 use zhuyi_core::stages::{CameraState, Policy, Situation};
 use zhuyi_core::{Command, Manoeuvre, SimTime};
-use zhuyi_scenario::embedded;
-use zhuyi_scheduler::{POLICIES, policy};
-use zhuyi_sim::{Action, RunRecord, RunSpec, Simulation, known_future};
+use zhuyi_scenario::{System, embedded};
+use zhuyi_scheduler::{Chip, Compute, POLICIES, policy};
+use zhuyi_sim::{Action, RunRecord, RunSpec, Simulation, Waterfall, known_future};
 
 use crate::read;
 
@@ -107,7 +107,14 @@ fn law_a_reset_run_is_a_new_run() {
     for name in embedded::names() {
         let (scenario, system) = read(name, &[]);
         let spec = RunSpec::new(scenario, system);
+        let mut slow = System::clone(spec.system());
+        slow.compute = Compute::Accelerator(Chip::default());
+        let queued = RunSpec::new(spec.scenario().clone(), slow).at_rate(8.0);
         for spec in [
+            queued,
+            spec.clone()
+                .under_policy("phantom", BUDGET)
+                .expect("a policy"),
             spec.clone().at_rate(4.0).witnessed(),
             spec.under_policy("demand-hysteresis", BUDGET)
                 .expect("a policy"),
@@ -234,4 +241,88 @@ fn hand_rates_of_a_caller_hold_from_the_step_on() {
         (38..=41).contains(&frames[0]) && frames[1..].iter().all(|of| (19..=21).contains(of)),
         "{frames:?}"
     );
+}
+
+/// The caller's rates stand in place of the policy's, for that decision alone.
+#[test]
+fn hand_a_caller_may_decide_in_place_of_a_policy() {
+    let (scenario, system) = read("cut-in", &["duration_s=6"]);
+    let spec = RunSpec::new(scenario, system).under_policy("uniform", BUDGET);
+    let mut simulation = Simulation::new(spec.expect("a policy"));
+    for decision in 0..3 {
+        if decision != 1 {
+            simulation
+                .act(Action::Rates(&[1.0; 5]))
+                .expect("good rates");
+        }
+        for _ in 0..10 {
+            simulation.step().expect("an answer");
+        }
+    }
+    let granted = simulation.finish().decisions;
+    let granted: Vec<f64> = granted.iter().map(|decision| decision.granted[4]).collect();
+    assert_eq!(granted, [1.0, 5.0, 1.0]);
+}
+
+#[test]
+fn hand_a_run_whose_record_is_taken_is_over() {
+    let (scenario, system) = read("cut-out-fast", &[]);
+    let mut simulation = Simulation::new(RunSpec::new(scenario, system));
+    simulation.step().expect("rates that stay");
+    assert_eq!(simulation.finish().trace.len(), 1);
+    assert!(simulation.is_over() && !simulation.decision_is_due());
+    assert_eq!(simulation.step().expect("nothing to do"), None);
+    assert_eq!(simulation.time(), SimTime::from_millis(10));
+    simulation.reset(0);
+    assert!(!simulation.is_over());
+}
+
+#[test]
+fn hand_commands_that_are_no_numbers_are_refused() {
+    let (scenario, system) = read("cut-in", &[]);
+    let mut simulation = Simulation::new(RunSpec::new(scenario, system));
+    let command = |accel: f64, curvature: f64| Command {
+        accel,
+        curvature,
+        manoeuvre: Manoeuvre::Follow,
+    };
+    for (command, what) in [
+        (command(f64::NAN, 0.0), "commanded acceleration"),
+        (command(0.0, f64::INFINITY), "commanded curvature"),
+    ] {
+        let refused = simulation
+            .act(Action::Command(command))
+            .expect_err("refused");
+        let told = format!("cut-in, seed 0, at 0.000 s: the {what} must be finite, got ");
+        assert!(refused.to_string().starts_with(&told), "{refused}");
+    }
+}
+
+/// Without a trace the rest of the record is the same.
+#[test]
+fn law_a_run_without_a_trace_is_the_same_run() {
+    let (scenario, system) = read("cut-out-fast", &[]);
+    let spec = RunSpec::new(scenario, system).at_rate(3.0).witnessed();
+    let (with, without) = (
+        spec.clone().run_fixed(),
+        spec.clone().untraced().run_fixed(),
+    );
+    assert!(with.collided() && without.trace.is_empty());
+    assert_eq!(with.frames, without.frames);
+    assert_eq!(
+        format!("{:?}", with.outcome),
+        format!("{:?}", without.outcome)
+    );
+    let explained = |run: &RunRecord| Waterfall::of(spec.scenario(), spec.system(), run);
+    assert!(explained(&with).is_some() && explained(&without).is_none());
+}
+
+/// Where the period is no multiple of a step, a decision comes with the first step behind it; so does what the clairvoyant knows of it.
+#[test]
+fn law_the_known_future_is_that_of_the_decisions() {
+    let (scenario, system) = read("cut-in", &["online.every_ms=25", "duration_s=8"]);
+    let spec = RunSpec::new(scenario, system).at_rate(30.0).estimated();
+    let (rates, run) = (spec.first_rates(), spec.clone().run_fixed());
+    let future = known_future(&run.trace, &spec.scenario().road, spec.system(), &rates);
+    assert_eq!((future.len(), run.decisions.len()), (320, 320));
 }

@@ -134,7 +134,8 @@ impl Eyes {
     /// # Panics
     /// If the rig has no such camera.
     pub fn replace_sensor(&mut self, camera: CameraId, sensor: Box<dyn Sensor>) {
-        self.shutters[camera.index()].sensor = sensor;
+        let actors = self.actors;
+        self.shutters[camera.index()].sensor = Box::new(InOrder { sensor, actors });
     }
 
     /// The same rig where others know how long frames take: they are ready at their exposure, but for their jitter.
@@ -292,6 +293,32 @@ impl Eyes {
     /// How many of its pictures were lost on their way.
     pub fn frames_lost(&self, camera: CameraId) -> u64 {
         self.shutters[camera.index()].lost
+    }
+}
+
+/// Sensor of a user's, whose detections are put in the order of the actors, each once.
+struct InOrder {
+    sensor: Box<dyn Sensor>,
+    actors: usize,
+}
+
+impl InOrder {
+    fn order(&self, detections: &mut Vec<Detection>) {
+        detections.retain(|found| found.actor.index() < self.actors);
+        detections.sort_by_key(|found| found.actor);
+        detections.dedup_by_key(|found| found.actor);
+    }
+}
+
+impl Sensor for InOrder {
+    fn sense(&mut self, truth: &dyn Truth, detections: &mut Vec<Detection>) {
+        self.sensor.sense(truth, detections);
+        self.order(detections);
+    }
+
+    fn sense_at_start(&mut self, truth: &dyn Truth, detections: &mut Vec<Detection>) {
+        self.sensor.sense_at_start(truth, detections);
+        self.order(detections);
     }
 }
 

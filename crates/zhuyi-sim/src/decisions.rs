@@ -22,7 +22,7 @@ use zhuyi_scheduler::{CameraState, DemandSeries, Discipline, Policy, PolicyError
 use crate::offline::Hindsight;
 use crate::online::{Asked, Online};
 use crate::spec::{Rates, RunSpec};
-use crate::trace::{STEP, Trace};
+use crate::trace::Trace;
 
 /// Decides the rates of a run, once every period.
 pub(crate) struct Decider {
@@ -33,6 +33,8 @@ pub(crate) struct Decider {
     due: SimTime,
     /// The decision that is due, estimated and not concluded.
     open: Option<Asked>,
+    /// Whether the caller has set its rates.
+    by_caller: bool,
     decisions: Vec<Asked>,
     /// When the last alarm was raised.
     alarm: Option<SimTime>,
@@ -89,6 +91,7 @@ impl Decider {
             budget,
             due: SimTime::ZERO,
             open: None,
+            by_caller: false,
             decisions: Vec::new(),
             alarm: None,
             measures: Measures::default(),
@@ -164,11 +167,15 @@ impl Decider {
         if let Some(asked) = &mut self.open {
             asked.granted.clear();
             asked.granted.extend_from_slice(rates);
+            self.by_caller = true;
         }
     }
 
-    /// Lets the policy set the rates of the open decision, if there is a policy.
+    /// Lets the policy set the rates of the open decision, if there is a policy and the caller has not set them.
     pub fn decide(&mut self, known: &Known<'_>) -> Result<(), PolicyError> {
+        if std::mem::take(&mut self.by_caller) {
+            return Ok(());
+        }
         let (Some(budget), Some(policy)) = (self.budget(), &mut self.policy) else {
             return Ok(());
         };
@@ -262,6 +269,9 @@ const ROUNDING: f64 = 1e-9;
 
 /// Returns the demands [Hz] that a finished run of `system` made on every camera with hindsight, at every decision: the future that the
 /// policy `clairvoyant` knows. l_0 is that of the estimate in the loop.
+///
+/// # Panics
+/// If the trace is empty.
 pub fn known_future(
     trace: &Trace,
     road: &Road,
@@ -272,8 +282,14 @@ pub fn known_future(
     same.current_latency = system.online.current_latency;
     let hindsight = Hindsight::new(trace, road, &same, rates);
     let estimator = Estimator::new(system.estimator.clone());
-    let every = (system.online.period.nanos() / STEP.nanos()).max(1) as usize;
-    let rows = trace.rows().step_by(every);
+    let mut due = SimTime::ZERO;
+    let rows = trace.rows().filter(|row| {
+        let decides = row.time >= due;
+        if decides {
+            due += system.online.period;
+        }
+        decides
+    });
     let demands = rows.map(|row| hindsight.demands(&estimator, &row));
     demands
         .map(|demands| demands.iter().map(|demand| demand.fpr).collect())

@@ -43,6 +43,9 @@ pub struct Hindsight<'a> {
 impl<'a> Hindsight<'a> {
     /// From a finished run of `system` on `road` at `rates`, with l_0 each camera's own frame period unless the system sets
     /// another.
+    ///
+    /// # Panics
+    /// If the trace is empty.
     pub fn new(trace: &'a Trace, road: &'a Road, system: &'a System, rates: &FrameRates) -> Self {
         let watch = |(eye, hz): (&'a Eye, &f64)| Watch {
             camera: &eye.camera,

@@ -31,7 +31,7 @@ pub struct RunRecord {
 /// How a run ended.
 #[derive(Debug)]
 pub enum Outcome {
-    /// The scenario's time was over and the ego had touched nothing.
+    /// The scenario's time was over, or the run ended before, and the ego had touched nothing.
     Completed,
     /// The ego touched an actor.
     Collision(Collision),
@@ -99,7 +99,7 @@ impl RunRecord {
         matches!(self.outcome, Outcome::Collision(_))
     }
 
-    /// How close it was, on the road of the run.
+    /// How close it was, on the road of the run; of an empty trace nothing is known.
     pub fn extremes(&self, road: &Road) -> Extremes {
         let mut extremes = Extremes {
             gap: None,

@@ -66,6 +66,8 @@ pub struct Simulation {
     /// Command of the caller for the next step.
     command: Option<Command>,
     contact: Option<Contact>,
+    /// Whether its record has been taken.
+    finished: bool,
     trace: Trace,
     witness: Option<Witness>,
 }
@@ -119,6 +121,7 @@ impl Simulation {
             rates: Vec::with_capacity(rates.all().len()),
             command: None,
             contact: None,
+            finished: false,
             trace: trace.round(scenario.road.lap()),
             witness: None,
             world,
@@ -149,6 +152,7 @@ impl Simulation {
         self.decider = Decider::new(&self.spec);
         self.trace.clear();
         (self.perceived, self.command, self.contact) = (None, None, None);
+        self.finished = false;
         self.begin();
     }
 
@@ -183,9 +187,9 @@ impl Simulation {
         self.world.scene().time
     }
 
-    /// Returns whether the run is over: the ego has touched something, or the scenario's time is over.
+    /// Returns whether the run is over: the ego has touched something, the scenario's time is over, or its record has been taken.
     pub fn is_over(&self) -> bool {
-        self.contact.is_some() || self.time() >= self.spec.scenario.duration
+        self.finished || self.contact.is_some() || self.time() >= self.spec.scenario.duration
     }
 
     /// Returns whether rates are to be decided now: once every period of the system's estimate, where a policy or the caller sets
@@ -202,14 +206,18 @@ impl Simulation {
         self.observation()
     }
 
-    /// Decides the rates from now on, or the command of the next step. A command goes through the vehicle's actuators, and a
-    /// backup system that brakes may brake harder. Rates are judged by the safety check where a decision is due.
+    /// Decides the rates from now on, or the command of the next step.
+    ///
+    /// A command goes through the vehicle's actuators, and a backup system that brakes may brake harder. Rates for a decision that
+    /// is due take effect with the next step, in place of those of a policy, judged by the safety check, whose response may raise
+    /// some. Between decisions rates take effect at once and no decision is recorded.
     ///
     /// # Errors
-    /// If a rate is not in [floor, 30], or their sum is above the budget.
+    /// If a rate is not in [floor, 30], their sum is above the budget, or a command is not finite.
     pub fn act(&mut self, action: Action<'_>) -> Result<(), DecisionError> {
         match action {
             Action::Command(command) => {
+                self.check_command(command)?;
                 self.command = Some(command);
                 Ok(())
             }
@@ -234,7 +242,7 @@ impl Simulation {
     /// Moves everything by one step. Returns the first contact of the ego, if there is one; does nothing when the run is over.
     ///
     /// # Errors
-    /// If a policy has no answer, or its rates break the limits.
+    /// If a policy has no answer, its rates break the limits, or a planner's command is not finite.
     pub fn step(&mut self) -> Result<Option<Contact>, DecisionError> {
         if self.is_over() {
             return Ok(self.contact);
@@ -242,6 +250,7 @@ impl Simulation {
         self.perceive();
         self.decide()?;
         let command = self.plan();
+        self.check_command(command)?;
         self.record(command);
         let contact = self.world.step(command, STEP);
         self.contact = contact;
@@ -260,8 +269,10 @@ impl Simulation {
         Ok(self.finish())
     }
 
-    /// Ends the run and returns its record, which takes the trace away. To go on, [`reset`](Simulation::reset) it.
+    /// Ends the run, where it stands, and returns its record, which takes trace, decisions and witness away. A run that is ended
+    /// early without a contact counts as completed. To make another, [`reset`](Simulation::reset) it.
     pub fn finish(&mut self) -> RunRecord {
+        self.finished = true;
         if let Some(witness) = &mut self.witness {
             witness.end();
         }
@@ -432,6 +443,17 @@ impl Simulation {
             demands: self.decider.as_ref().map_or(&[], Decider::demands),
             rates: &self.rates,
             budget,
+        }
+    }
+
+    fn check_command(&self, command: Command) -> Result<(), DecisionError> {
+        let numbers = [
+            ("commanded acceleration", command.accel),
+            ("commanded curvature", command.curvature),
+        ];
+        match numbers.into_iter().find(|(_, got)| !got.is_finite()) {
+            None => Ok(()),
+            Some((what, got)) => Err(self.refused(PolicyError::NotFinite { what, got })),
         }
     }
 

@@ -113,7 +113,13 @@ impl RunSpec {
     /// Sets the frame rate of each camera, in the order of the rig; they stay.
     #[must_use]
     pub fn at_rates(self, rates: FrameRates) -> Self {
-        let estimated = false;
+        let estimated = matches!(
+            self.rates,
+            Rates::Fixed {
+                estimated: true,
+                ..
+            }
+        );
         Self {
             rates: Rates::Fixed { rates, estimated },
             ..self
@@ -121,13 +127,16 @@ impl RunSpec {
     }
 
     /// Sets one frame rate [Hz] for all cameras, which stays.
+    ///
+    /// # Panics
+    /// If it is not positive and finite.
     #[must_use]
     pub fn at_rate(self, rate: f64) -> Self {
         let cameras = self.system.perception.eyes.len();
         self.at_rates(FrameRates::new(vec![rate; cameras]))
     }
 
-    /// Makes the estimate beside a run at rates that stay, with the alarms and the response of the system's safety check.
+    /// Makes the estimate beside a run at rates that stay (under a policy or a caller it is made anyway), with the alarms and the response of the system's safety check.
     #[must_use]
     pub fn estimated(mut self) -> Self {
         if let Rates::Fixed { estimated, .. } = &mut self.rates {
@@ -187,7 +196,7 @@ impl RunSpec {
         }
     }
 
-    /// Leaves the trace out of the record.
+    /// Leaves the trace out of the record. What is computed from a trace, such as [`Hindsight`](crate::Hindsight), needs one.
     #[must_use]
     pub fn untraced(self) -> Self {
         Self {
@@ -226,7 +235,9 @@ impl RunSpec {
         self
     }
 
-    /// Puts another sensor in place of a camera. Clock, latency, losses and confirmation stay that camera's.
+    /// Puts another sensor in place of a camera. Clock, latency, losses, confirmation, and the field of view and the noise by which the
+    /// tracker judges its frames stay that camera's. Detections of one frame are put in the order of the actors; a second one of an
+    /// actor, and those of actors that there are not, are dropped.
     ///
     /// # Panics
     /// If the rig has no such camera.

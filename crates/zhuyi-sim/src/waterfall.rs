@@ -141,11 +141,15 @@ pub struct Waterfall {
 }
 
 impl Waterfall {
-    /// Of a run with a record of what it knew; none where there was no collision or no such record.
+    /// Of a run with a trace and a record of what it knew; none where there was no collision or no such record. It is told by the
+    /// built-in stages, whatever others the run had.
     pub fn of(scenario: &Scenario, system: &System, run: &RunRecord) -> Option<Self> {
         let Outcome::Collision(collision) = &run.outcome else {
             return None;
         };
+        if run.trace.is_empty() {
+            return None;
+        }
         let chain = Chain {
             scenario,
             system,

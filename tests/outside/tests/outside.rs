@@ -5,7 +5,7 @@
 use std::sync::{Arc, Mutex};
 
 use zhuyi::prelude::*;
-use zhuyi::stages::{Policy, PolicyError, Situation};
+use zhuyi::stages::{Policy, PolicyError, Sensor, Situation, Truth};
 use zhuyi_outside::observer::Rows;
 use zhuyi_outside::planner::Timid;
 use zhuyi_outside::policy::Nearest;
@@ -92,6 +92,33 @@ fn hand_a_radar_sees_the_obstacle_behind_the_lead() {
     assert!((5.0 / 3.0 - 0.02..=2.02).contains(&since), "{since}");
     assert!(!record.collided());
     assert!(spec.run().expect("rates that stay").collided());
+}
+
+/// Finds what another sensor does, backwards and twice, and somebody who is not there.
+struct Babbling(Radar);
+
+impl Sensor for Babbling {
+    fn sense(&mut self, truth: &dyn Truth, detections: &mut Vec<Detection>) {
+        self.0.sense(truth, detections);
+        detections.reverse();
+        detections.extend_from_within(..);
+        let ghost = detections.first().copied();
+        detections.extend(ghost.map(|found| Detection {
+            actor: ActorId(99),
+            ..found
+        }));
+    }
+}
+
+/// The order in which a sensor tells does not matter, nor do repetitions and actors that there are not.
+#[test]
+fn law_a_sensor_may_tell_in_any_order() {
+    let spec = spec("cut-out-fast", &[]).at_rate(6.0);
+    let radar = || Radar { range: 120.0 };
+    let plain = spec.clone().with_sensor(CameraId(0), move |_| radar());
+    let babbling = spec.with_sensor(CameraId(0), move |_| Babbling(radar()));
+    let (plain, babbling) = (plain.run_fixed(), babbling.run_fixed());
+    assert!(plain.trace == babbling.trace);
 }
 
 /// In vehicle-following the lead is nearest throughout: the first camera, which looks ahead, gets what the floors of the others leave.

@@ -250,7 +250,7 @@ pub fn check_rates<'a>(
 ) -> Result<(), RateLimit> {
     let (floor, cap) = (least_rate(budget, rates.len()), FULL_RATE);
     for (camera, got) in cameras.zip(rates) {
-        if !(floor - slack..=cap + slack).contains(got) {
+        if !(*got > 0.0 && (floor - slack..=cap + slack).contains(got)) {
             return Err(RateLimit::Range {
                 camera: camera.to_string(),
                 got: *got,

@@ -23,7 +23,7 @@ use crate::{Body, Detection, Pose, Scene, SimTime};
 /// }
 /// ```
 pub trait Sensor: Send {
-    /// Appends what is found at an exposure to `detections`, in the order of the actors.
+    /// Appends what is found at an exposure to `detections`, at most one of each actor.
     fn sense(&mut self, truth: &dyn Truth, detections: &mut Vec<Detection>);
 
     /// Appends what is found before the first exposure, with which the tracker starts (reading R16): by default the same as at an
