@@ -152,16 +152,6 @@ impl Decider {
         self.open = Some(asked);
     }
 
-    /// Checks rates that a caller sets.
-    pub fn check_rates(&self, known: &Known<'_>, rates: &[f64]) -> Result<(), PolicyError> {
-        check_rates(known, rates, self.budget().unwrap_or(f64::INFINITY))
-    }
-
-    /// Checks rates that a caller sets where there is no budget.
-    pub fn check_unlimited(known: &Known<'_>, rates: &[f64]) -> Result<(), PolicyError> {
-        check_rates(known, rates, f64::INFINITY)
-    }
-
     /// Takes the rates [Hz] of a caller for the open decision.
     pub fn grant(&mut self, rates: &[f64]) {
         if let Some(asked) = &mut self.open {
@@ -248,8 +238,13 @@ impl Decider {
     }
 }
 
-/// Checks rates of a caller against the limits of a policy.
-fn check_rates(known: &Known<'_>, rates: &[f64], budget: f64) -> Result<(), PolicyError> {
+/// Checks rates of a caller against the limits of a policy, and a budget [Hz] where there is one.
+pub(crate) fn check_rates(
+    known: &Known<'_>,
+    rates: &[f64],
+    budget: Option<f64>,
+) -> Result<(), PolicyError> {
+    let budget = budget.unwrap_or(f64::INFINITY);
     let eyes = &known.spec.system.perception.eyes;
     if rates.len() != eyes.len() {
         return Err(PolicyError::Places {
@@ -258,14 +253,13 @@ fn check_rates(known: &Known<'_>, rates: &[f64], budget: f64) -> Result<(), Poli
         });
     }
     let names = eyes.iter().map(|eye| eye.camera.name.as_str());
-    policy::check_rates(names, rates, budget, ROUNDING).map_err(|limit| PolicyError::Rates {
-        policy: "the caller".to_string(),
-        limit,
+    policy::check_rates(names, rates, budget, policy::ROUNDING).map_err(|limit| {
+        PolicyError::Rates {
+            policy: "the caller".to_string(),
+            limit,
+        }
     })
 }
-
-/// [Hz] what rounding may add to each rate of a caller.
-const ROUNDING: f64 = 1e-9;
 
 /// Returns the demands [Hz] that a finished run of `system` made on every camera with hindsight, at every decision: the future that the
 /// policy `clairvoyant` knows. l_0 is that of the estimate in the loop.

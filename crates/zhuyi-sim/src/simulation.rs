@@ -14,7 +14,7 @@ use zhuyi_scenario::{Scenario, System};
 use zhuyi_scheduler::{Compute, PolicyError};
 use zhuyi_world::{Contact, World};
 
-use crate::decisions::{Decider, DecisionError, Known};
+use crate::decisions::{Decider, DecisionError, Known, check_rates};
 use crate::instant::Instant;
 use crate::outcome::{Collision, Frames, Outcome, RunRecord};
 use crate::pipeline::Pipeline;
@@ -225,11 +225,8 @@ impl Simulation {
                 self.perceive();
                 self.estimate();
                 let known = known(&self.spec, &self.world, &self.tracks);
-                let checked = match &self.decider {
-                    Some(decider) => decider.check_rates(&known, rates),
-                    None => Decider::check_unlimited(&known, rates),
-                };
-                checked.map_err(|error| self.refused(error))?;
+                let budget = self.decider.as_ref().and_then(Decider::budget);
+                check_rates(&known, rates, budget).map_err(|error| self.refused(error))?;
                 match &mut self.decider {
                     Some(decider) if decider.is_open() => decider.grant(rates),
                     _ => self.set_rates(rates),

@@ -30,7 +30,7 @@ pub(super) struct Entry {
     pub field: Field,
 }
 
-/// How a column gives its field of a row.
+/// Source of a column's field of a row.
 pub(super) enum Field {
     /// By a function of the row.
     Of(fn(&Row<'_>) -> String),

@@ -30,7 +30,7 @@ use crate::rates::Rates;
 /// The ego of our own traces.
 const DEFAULT_EGO: &str = "ego";
 
-/// What stands below the options.
+/// Returns the help text below the options.
 fn help() -> String {
     let metrics = METRICS.map(|metric| metric.id);
     format!("{HELP}{}{FILES}", metrics.join(", "))

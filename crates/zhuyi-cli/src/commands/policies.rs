@@ -8,7 +8,7 @@ use crate::argument::Argument;
 use crate::fault::Fault;
 use crate::problems::Problems;
 
-/// What makes the policy of a name.
+/// Returns the function that makes the policy of a name.
 pub fn named(name: &str, problems: &mut Problems) -> Option<MakePolicy> {
     policy_maker(name)
         .map_err(|error| {

@@ -27,7 +27,7 @@ use crate::rates::Rates;
 use crate::shell;
 use summary::Summary;
 
-/// What stands below the options.
+/// Returns the help text below the options.
 fn help() -> String {
     let policies = POLICIES.map(|entry| format!("  {:<22} {}\n", entry.id, entry.meaning));
     format!("{HELP}{}\n{BUDGETS}", policies.concat())

@@ -24,7 +24,7 @@ pub trait Observer: Send {
     fn step(&mut self, truth: &Scene, observation: &Observation<'_>, command: Command);
 }
 
-/// What the ego knows at one instant, and what it may still spend.
+/// Knowledge of the ego at one instant, with rates and budget.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Observation<'a> {
     /// Time of the run.

@@ -19,8 +19,8 @@ use std::error::Error;
 use crate::camera::{FULL_RATE, least_rate};
 use crate::{Body, Camera, Track};
 
-/// [Hz] what rounding may add to each rate.
-const ROUNDING: f64 = 1e-9;
+/// [Hz] largest error of rounding in each rate of a policy or a caller.
+pub const ROUNDING: f64 = 1e-9;
 
 /// Id of the demand by the paper's model, from what is perceived and predicted.
 pub const ZHUYI: &str = "zhuyi";
@@ -75,7 +75,7 @@ impl std::fmt::Debug for dyn Policy + '_ {
     }
 }
 
-/// What a policy knows when it decides.
+/// Knowledge of a policy when it decides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Situation<'a> {
     /// Name of the scenario.

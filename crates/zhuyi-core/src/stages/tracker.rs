@@ -55,7 +55,7 @@ pub trait Tracker: Send {
     }
 }
 
-/// What the ego knows of one actor, confirmed or not.
+/// Knowledge of the ego about one actor, confirmed or not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Knowledge {
     /// The actor as believed to be now; none before it is found and after it is lost.
