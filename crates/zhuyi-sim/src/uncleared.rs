@@ -187,7 +187,7 @@ impl Place {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use zhuyi_core::{Camera, Pose};
+    use zhuyi_core::Camera;
     use zhuyi_perception::OwnErrors;
 
     const CAR: Footprint = Footprint {
@@ -196,17 +196,7 @@ mod tests {
     };
 
     fn car(s: f64, d: f64) -> Body {
-        Body {
-            footprint: CAR,
-            road: Frenet { s, d },
-            pose: Pose::new(s, d, 0.0),
-            turn: 0.0,
-            extent: CAR,
-            speed: 10.0,
-            accel: 0.0,
-            s_rate: 10.0,
-            d_rate: 0.0,
-        }
+        Body::aligned(CAR, s, d, 10.0)
     }
 
     /// The places that are not cleared after each of these, `(lead's d, frames processed)`, with a lead 30 m ahead.

@@ -3,7 +3,7 @@
 use crate::scene::L0;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use zhuyi_core::{Body, Camera, Footprint, Frenet, Pose};
+use zhuyi_core::{Body, Camera, Footprint, Pose};
 use zhuyi_estimator::phantom::visible_share;
 use zhuyi_estimator::{Ego, Estimator, Params, Phantom, PhantomParams, State, Surroundings, Watch};
 
@@ -32,17 +32,7 @@ pub fn watch(camera: &Camera) -> Watch<'_> {
 }
 
 pub fn body(footprint: Footprint, s: f64, d: f64, speed: f64) -> Body {
-    Body {
-        footprint,
-        road: Frenet { s, d },
-        pose: Pose::new(s, d, 0.0),
-        turn: 0.0,
-        extent: footprint,
-        speed,
-        accel: 0.0,
-        s_rate: speed,
-        d_rate: 0.0,
-    }
+    Body::aligned(footprint, s, d, speed)
 }
 
 /// [m] where the phantoms' rear bumpers are on a straight road.
